@@ -7,31 +7,28 @@ wall by more than 1 mm at the end of any tick. A straight move is to walk at one
 the maximum speed, or to stand. All other bodies move as recorded, including agents that gave way. The classification
 uses hindsight: it does not consider what the agent could have predicted.
 """
-import dataclasses
 import math
+import typing
 
 import numpy
 
-from crowd_drawing.motion import place_of
+from crowd_drawing.files import place_of
 
 OVERLAP = 1e-3  # [m]
-LOOK_BACK = 3.0  # [s]
-LOOK_ON = 1.0  # [s]
+LOOK_BACK, LOOK_ON = 3.0, 1.0  # [s]
 HEADINGS = 36
 SHARES = (0.5, 1.0)  # of the maximum speed
 TURNED_WITHIN = 1.0  # [s] before the contact; no agent can predict such a recent turn of the obstacle
 
 
-@dataclasses.dataclass(frozen=True)
-class Contact:
+class Contact(typing.NamedTuple):
     """An agent and a moving obstacle that begin to overlap at the end of a tick."""
     agent: int
     obstacle: int
     tick: int
 
 
-@dataclasses.dataclass(frozen=True)
-class Escape:
+class Escape(typing.NamedTuple):
     """A move that would have avoided a contact, beginning at the end of a tick."""
     tick: int
     velocity: tuple  # [m/s]
@@ -51,7 +48,6 @@ class Recording:
         self.obstacle_radii = numpy.array([obstacle['radius'] for obstacle in scene.obstacles])
 
     def contacts(self):
-        """Returns all contacts with moving obstacles."""
         found = []
         for obstacle in range(len(self.obstacle_radii)):
             if not numpy.ptp(self.obstacles[:, obstacle], axis=0).any():  # it does not move

@@ -4,7 +4,7 @@ import numpy
 import pandas
 from crowd_experiments.records import Spread, percent, read_csv
 from crowd_experiments.runs import Run
-from crowd_studies.report import read_texts
+from crowd_studies.program import read_texts
 
 TEXTS = read_texts(__file__)
 OURS = 'anticipation'
@@ -23,7 +23,7 @@ def walked(setting, experiment, table, scenario, episodes, cost, draws=True):
     drawing = ['--scenes', '.', '--trajectories', '.'] if draws else []
     name = table if experiment != 'crowds' else scenario
     return Run(setting.run_folder(experiment, name), [[
-        setting.tool('evaluate'), '--q-table', setting.table(table), '--threads', 1, '--seed', 1, '--episodes',
+        setting.tools / 'evaluate', '--q-table', setting.table(table), '--threads', 1, '--seed', 1, '--episodes',
         episodes, '--record', 'record.csv', *drawing, setting.scenario(scenario)]], cost)
 
 
@@ -36,14 +36,13 @@ def success_and_contact(folder):
 def benchmark_run(setting, folder, config, seed, episodes, cost):
     """Returns a run that trains, with --quick this number of episodes, and evaluates the benchmark's scenarios."""
     return Run(folder, [
-        [setting.tool('train'), config, '--output', 'q_table.txt', '--seed', seed]
+        [setting.tools / 'train', config, '--output', 'q_table.txt', '--seed', seed]
         + (['--episodes', episodes] if setting.quick else []),
-        [setting.tool('evaluate'), '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'metrics.csv',
+        [setting.tools / 'evaluate', '--q-table', 'q_table.txt', '--threads', 1, '--csv', 'metrics.csv',
          *scenarios_of(setting)]], cost)
 
 
 def scenarios_of(setting):
-    """Returns the scenarios of the benchmark."""
     return sorted((setting.benchmark / 'scenarios').glob('*.yaml'))
 
 

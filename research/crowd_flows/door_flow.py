@@ -6,7 +6,7 @@ crossings of the line of the wall by the first and by the last person).
 import numpy
 from crowd_experiments import style
 
-from .measurements import COLOURS, TICK, door_range, evaluate, read_columns, read_tracks
+from .measurements import COLOURS, TICK, door_range, read_columns, walk
 
 COUNT = 60
 WIDTHS = (0.8, 0.9, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.2, 2.4)  # [m]
@@ -34,24 +34,15 @@ def flow_of(track):
     return (len(times) - 1) / (times[-1] - times[0]), len(times)
 
 
-def measure_door(program, table, folder, width, seeds):
-    """Returns arrays of the flow and of the number of people who passed the door, one value per placement."""
-    scenario = folder / f'door_{width:g}.yaml'
-    scenario.write_text(SCENARIO.format(count=COUNT, half=width / 2.0), encoding='utf-8')
-    evaluate(program, table, scenario, folder, '--episodes', seeds)
-    recording = folder / f'{scenario.stem}.csv'
-    flows = numpy.array([flow_of(track) for track in read_tracks(recording)]).T
-    recording.unlink()
-    return flows
-
-
 def measure_crowd(program, table, folder, seeds, data, widths=WIDTHS):
     """Returns rows of HEADER, one for each width."""
     folder.mkdir(parents=True, exist_ok=True)
     measured = read_columns(data / 'door_flow.csv', 'width_m', 'flow_per_s')
     rows = []
     for width in widths:
-        flows, through = measure_door(program, table, folder, width, seeds)
+        _, tracks = walk(program, table, folder / f'door_{width:g}.yaml',
+                         SCENARIO.format(count=COUNT, half=width / 2.0), '--episodes', seeds)
+        flows, through = numpy.transpose([flow_of(track) for track in tracks])
         known = door_range(measured, width)
         mean = float(flows.mean())
         cells = ['', '', ''] if known is None else [

@@ -1,19 +1,21 @@
 """Runs of evaluate, and measurements of people: speed against density in corridors, flow through doors."""
-import dataclasses
-import subprocess
+
+import typing
 
 import numpy
 import pandas
 from crowd_experiments import records
+from crowd_experiments.runs import output_of
 
 TICK = 0.1  # [s]
+LEAST_IN_BIN = 5  # values; bins with fewer are left out
+COLOURS = ('#d55e00', '#0072b2', '#009e73', '#8e5ea2')  # of the crowds in figures
 
 
 def evaluate(program, table, scenario, folder, *options):
     """Writes trajectories and metrics of a Q-table in a scenario file into a folder. Returns the row of metrics."""
     metrics = folder / f'{scenario.stem}_metrics.csv'
-    subprocess.run([str(program), '--q-table', str(table), '--trajectories', str(folder), '--csv', str(metrics),
-                    *map(str, options), str(scenario)], check=True, stdout=subprocess.DEVNULL)
+    output_of([program, '--q-table', table, '--trajectories', folder, '--csv', metrics, *options, scenario])
     return pandas.read_csv(metrics, dtype=str).iloc[0]
 
 
@@ -22,12 +24,17 @@ def read_tracks(file):
     return list(records.read_tracks(file).values())
 
 
-LEAST_IN_BIN = 5  # values; bins with fewer are left out
-COLOURS = ('#d55e00', '#0072b2', '#009e73', '#8e5ea2')  # of the crowds in figures
+def walk(program, table, scenario, text, *options):
+    """Writes a scenario file, and walks it. Returns the row of metrics, and the tracks of its instances."""
+    scenario.write_text(text, encoding='utf-8')
+    metrics = evaluate(program, table, scenario, scenario.parent, *options)
+    recording = scenario.with_suffix('.csv')
+    tracks = read_tracks(recording)
+    recording.unlink()  # it is large
+    return metrics, tracks
 
 
-@dataclasses.dataclass(frozen=True)
-class Band:
+class Band(typing.NamedTuple):
     """Distribution of the measured speeds in a bin of densities."""
     low: float  # 10 % of the measurements are below [m/s]
     median: float

@@ -1,5 +1,4 @@
 """A claim of the thesis, and the rules that decide whether our results confirm it."""
-import dataclasses
 import typing
 
 import numpy
@@ -12,20 +11,18 @@ GOOD, HALF = 90.0, 50.0  # [%] success rates from which a claim is confirmed, an
 RARE = 10.0  # [%] highest rate of contacts or collisions with which "avoids" holds
 
 
-@dataclasses.dataclass(frozen=True)
-class Judgement:
+class Judgement(typing.NamedTuple):
     """Our numbers, as a text with seeds and spread, and the resulting verdict."""
     measured: str
     verdict: str
 
 
-@dataclasses.dataclass(frozen=True)
-class Claim:
+class Claim(typing.NamedTuple):
     """A statement of the thesis, and the function that judges it."""
     section: str
     says: str  # quotation or summary of the thesis
     judge: typing.Callable  # takes the Setting, returns a Judgement
-    reasons: dict = dataclasses.field(default_factory=dict)  # known reasons, by verdict
+    reasons: dict = {}  # known reasons, by verdict
 
     def row(self, setting):
         """Returns section, quotation, measured values, verdict and reason."""
@@ -36,10 +33,7 @@ class Claim:
 
 def all_of(judges):
     """Returns a judge of a claim with several parts: functions of the Setting and of further arguments."""
-    def judge(setting):
-        parts = [part(setting, *words) for part, words in judges]
-        return joined(parts, '. ')
-    return judge
+    return lambda setting: joined([part(setting, *words) for part, words in judges], '. ')
 
 
 def joined(parts, separator, before=''):
@@ -102,13 +96,10 @@ def is_good(value):
     return value >= GOOD
 
 
-def is_rare(value):
-    return value <= RARE
-
-
-def both(values, conditions):
-    """Returns the verdict on several conditions, each with its own values of the seeds."""
-    return decide_all(*(decide_each(of_seeds, condition) for of_seeds, condition in zip(values, conditions)))
+def good_and_rare(good=(), rare=()):
+    """Returns the verdict on rates of the seeds that have to be good, and on others that have to be rare."""
+    return decide_all(*(decide_each(of_seeds, is_good) for of_seeds in good),
+                      *(decide_each(of_seeds, lambda value: value <= RARE) for of_seeds in rare))
 
 
 def versus(name, values, other_name, other_values, decimals=2):

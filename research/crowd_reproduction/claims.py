@@ -2,30 +2,24 @@
 import pathlib
 
 import yaml
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 
-from . import crowd_judges, knowledge_judges, reward_judges, twins_judges
+from . import crowd_judges, reward_judges, twins
 from .claim import Claim, add_claims, all_of
-from .names import TEXTS
-from .results import plan as plan_of
+from .results import TEXTS
 
-NAME = 'claims'
-TITLE = TEXTS[NAME]['title']
 LISTS = yaml.safe_load(pathlib.Path(__file__).with_suffix('.yaml').read_text(encoding='utf-8'))
-JUDGES = {**vars(crowd_judges), **vars(knowledge_judges), **vars(twins_judges), **vars(reward_judges)}
-plan = plan_of(NAME)
+JUDGES = {**vars(crowd_judges), **vars(twins), **vars(reward_judges)}
 
 
 def claims_of(name):
-    """Returns the Claims of a list of the file."""
     return [Claim(entry['section'], entry['says'],
                   all_of([(JUDGES[judge], words) for judge, *words in entry['judges']]), entry.get('reasons', {}))
             for entry in LISTS[name]['claims']]
 
 
 def report(setting):
-    """Returns the chapter, from the records of the other chapters' runs."""
-    chapter = Report(NAME, TEXTS, setting)
+    chapter = Report('claims', TEXTS, setting)
     chapter.say('intro')
     for name, claims in LISTS.items():
         add_claims(chapter, claims['title'], claims_of(name), setting, name)

@@ -1,22 +1,23 @@
-"""Judges the claims of section 4.3: the scenarios, with the thesis's state set 2 and parameters."""
+"""Judges the claims of section 4.3 (the scenarios, with the thesis's state set 2 and parameters), 3 and 5 (use of
+learned tables by other agents and in other scenarios, the effect of more training, and the stay action)."""
 import numpy
-from crowd_experiments.records import Spread
+from crowd_experiments.records import Spread, percent
 
-from .claim import (NOT_CONFIRMED, RARE, Judgement, both, compared, decide, decide_all, decide_each, decide_greater,
-                    graded, is_good, is_rare, joined, versus)
-from .crowd_figures import DUMMIES, best_of, outcome_sentence
-from .crowds import (EXACT, GROUPING, OBSTACLE_RADIUS, SOON, WATCHED, agents, companions, groups_of, last_metre, phases,
-                     rates, record_file, surrounded)
+from .claim import (CONFIRMED, GOOD, Judgement, NOT_CONFIRMED, PARTLY, RARE, compared, decide, decide_all, decide_each,
+                    decide_greater, good_and_rare, graded, is_good, joined, versus)
+from .crowds import (CROWDED, DUMMIES, EXACT, GROUPING, OBSTACLE_RADIUS, SCENARIOS, SOON, WATCHED, agents, best_of,
+                     by_visits, companions, groups_of, last_metre, outcome_sentence, phases, rates, record_file,
+                     surrounded)
+from .experiments import future_work, learning_curves, sharing
 from .measures import COLLISION_RADIUS, CONTACT_OVERLAP, RADIUS, share
-from .names import PARAMETER_NAMES, rates_sentence
-from .results import obstacle_places, per_seed
+from .results import PARAMETER_NAMES, RATES, SETS, obstacle_places, per_seed, rates_sentence
 
 PASSED, ARRIVING = 2, 3  # of TIMES
 STARTS = numpy.array([3.25, 1.95, 0.65, -0.65, -1.95, -3.25])  # of line6 [m]
+COSTS = {'no cost': 'stay', 'cost 0.2': 'stay_02', 'cost 1': 'stay_1', 'cost 5': 'stay_5'}
 
 
 def rates_text(setting, scenario):
-    """Returns the rates in a scenario as a text."""
     return rates_sentence(rates(agents(setting), scenario))
 
 
@@ -63,39 +64,31 @@ def deviated(setting):
                      f'{arrivals.text(1)} % of these', decide(is_good(arrivals.mean), map(is_good, arrivals.values)))
 
 
-def nearest_to_moving_obstacle(runs, seed):
-    """Returns the smallest distance of each agent to the moving obstacle's centre [m], in the recorded instances."""
-    obstacle = obstacle_places(runs.setting, 'line6_mover', 2001)
-    offsets = [places - obstacle[:len(places), None] for places in runs.tracks(seed, 'line6_mover.csv').values()]
-    return numpy.concatenate([numpy.nanmin(numpy.hypot(away[..., 0], away[..., 1]), axis=0) for away in offsets])
-
-
 def avoids_moving_obstacle(setting):
     runs = agents(setting)
-    nearest = [nearest_to_moving_obstacle(runs, seed) for seed in runs.seeds()]
-    touching, colliding = (
-        [100.0 * float(numpy.mean(values < OBSTACLE_RADIUS + reach)) for values in nearest]
-        for reach in (RADIUS - CONTACT_OVERLAP, COLLISION_RADIUS))
+    obstacle = obstacle_places(setting, 'line6_mover', 2001)
+    nearest = []  # smallest distance of each agent to the obstacle's centre [m], for each seed
+    for seed in runs.seeds():
+        offsets = [places - obstacle[:len(places), None] for places in runs.tracks(seed, 'line6_mover.csv').values()]
+        nearest.append(numpy.concatenate([numpy.nanmin(numpy.linalg.norm(away, axis=2), axis=0) for away in offsets]))
+    touching, colliding = ([percent(values < OBSTACLE_RADIUS + reach) for values in nearest]
+                           for reach in (RADIUS - CONTACT_OVERLAP, COLLISION_RADIUS))
     without, ratio = (Spread(runs.arrivals('demo.csv', 'path_ratio', scenario)).mean
                       for scenario in ('line6', 'line6_mover'))
     return Judgement(f'{rates_text(setting, "line6_mover")}; {Spread(touching).text(1)} % of the agents have a contact '
                      f'with the moving obstacle, {Spread(colliding).text(1)} % a collision; path ratio {ratio:.2f} '
-                     f'with and {without:.2f} without it', both((touching, colliding), (is_rare, is_rare)))
-
-
-def nearness(runs, scenario):
-    """Returns the mean distance to the nearest companion before the first arrival, for each seed [m]."""
-    return [numpy.mean([companions(places).mean() for places in groups_of(runs, seed, scenario)])
-            for seed in runs.seeds()]
+                     f'with and {without:.2f} without it', good_and_rare(rare=[touching, colliding]))
 
 
 def remain_closer(setting):
-    apart, together = (nearness(agents(setting), scenario) for scenario in ('line6', 'same_goal6'))
+    runs = agents(setting)
+    # Mean distances to the nearest companion before the first arrival, for each seed [m].
+    apart, together = ([numpy.mean([companions(places).mean() for places in groups_of(runs, seed, scenario)])
+                        for seed in runs.seeds()] for scenario in ('line6', 'same_goal6'))
     nearer = compared('', 'line6', apart, 'same_goal6', together)
-    found = rates(agents(setting), 'same_goal6')
+    found = rates(runs, 'same_goal6')
     return Judgement(f'{rates_text(setting, "same_goal6")}; distance to the nearest companion [m]: {nearer.measured}',
-                     decide_all(both((found.success, found.contact, found.collision), (is_good, is_rare, is_rare)),
-                                nearer.verdict))
+                     decide_all(good_and_rare([found.success], [found.contact, found.collision]), nearer.verdict))
 
 
 def grouping(setting):
@@ -127,7 +120,7 @@ def twelve_like_six(setting):
     best = f"{PARAMETER_NAMES['thesis']}: {outcome_sentence(runs, 'circle12', *best_of(runs, 'circle12'))}"
     return Judgement(f'six: {rates_sentence(six)}; twelve: {rates_sentence(twelve)} (similar: within {RARE:g} points); '
                      f'the best recorded episode of twelve, {best}',
-                     both([(six - twelve)[rate].abs() for rate in ('success', 'contact')], (is_rare, is_rare)))
+                     good_and_rare(rare=[(six - twelve)[rate].abs() for rate in ('success', 'contact')]))
 
 
 def longer_than_six(setting):
@@ -159,3 +152,91 @@ def surrounded_touch(setting):
                      f'{versus("surrounded", inside, "not surrounded", outside, 1)}; of the agents that were ever '
                      f'surrounded, {share_of_agents.text(1)} % then have a contact',
                      decide_all(decide_greater(inside, outside), decide_each(inside, is_good)))
+
+
+def experience_serves(setting):
+    verdicts, texts = [], []
+    for scenario in SCENARIOS:
+        found = rates(agents(setting), scenario)
+        verdicts.append(good_and_rare([found.success], [found.contact]))
+        means = found[['success', 'contact', 'collision']].mean()
+        texts.append(f'{scenario} {" / ".join(f"{value:.0f}" for value in means)}')
+    fine = verdicts.count(CONFIRMED)
+    return Judgement('success / contact / collision % in scenarios that were not used in training (means of '
+                     f'{len(found)} seeds): {", ".join(texts)}; success at least {GOOD:g} and contact at most {RARE:g} '
+                     f'in {fine} of {len(verdicts)}',
+                     CONFIRMED if fine == len(verdicts) else PARTLY if fine else NOT_CONFIRMED)
+
+
+def shared(setting, use, place, measure='contact'):
+    """Returns a measure of the crowd with a pioneer's table, for each seed; place: of the number of episodes."""
+    return sharing.curve(setting, 'occupancy', use)[place, :, list(RATES).index(measure)]
+
+
+def pioneer_serves(setting):
+    success, contact = (shared(setting, 'fixed', -1, measure) for measure in ('success', 'contact'))
+    untrained = shared(setting, 'fixed', 0)
+    return Judgement(f'twelve agents: success {Spread(success).text(1)} %; contact {Spread(contact).text(1)} %, after '
+                     f'only the first part of the training {Spread(untrained).text(1)} %',
+                     decide_all(decide_each(success, is_good), decide_greater(untrained, contact)))
+
+
+def crowd_learns_on(setting):
+    fixed, shared_on, own = (shared(setting, use, -1) for use in ('fixed', 'shared', 'own'))
+    return Judgement(f'contact of twelve agents: {Spread(fixed).text(1)} % with the unchanged table, '
+                     f'{Spread(shared_on).text(1)} % if all continue learning in one table, {Spread(own).text(1)} % in '
+                     'own tables', decide_all(decide_greater(fixed, shared_on), decide_greater(fixed, own)))
+
+
+def incomplete_table(setting):
+    parts = []
+    for scenario in WATCHED:
+        outcomes = by_visits(agents(setting), scenario, CROWDED)
+        pairs = [[share(part.contact.sum(), part.decisions.sum()) for part in (classes[:2], classes[3:])]
+                 for classes in outcomes]
+        rare, often = zip(*(pair for pair in pairs if numpy.isfinite(sum(pair))))
+        parts.append(compared(f'{scenario}: ', 'rarely visited', rare, 'often visited', often, 1))
+    return joined(parts, '; ', f'{CROWDED} or more sectors occupied, contact within {SOON} decisions %, rows visited '
+                  'fewer than 10 and at least 100 times in training. ')
+
+
+def more_training(setting):
+    curve = learning_curves.Curve(setting, 'occupancy', 'thesis')
+    parts = []
+    for scenario, of_episodes in curve.rates.items():
+        for measure, first, last in zip(RATES, of_episodes[1].T, of_episodes[-1].T):
+            parts.append(Judgement(
+                f'{scenario}, {measure} %: after {curve.episodes[1]:,} episodes {Spread(first).text(1)}, after '
+                f'{curve.episodes[-1]:,} {Spread(last).text(1)}',
+                decide_greater(last, first) if measure == 'success' else decide_greater(first, last)))
+    return joined(parts, '; ')
+
+
+def more_states(setting):
+    first, second = (100.0 * curve.rows[-1] / curve.all_rows for curve in
+                     (learning_curves.Curve(setting, states, 'thesis') for states in SETS))
+    return compared('rows visited after all training, % of all rows: ', 'set 1', first, 'set 2', second, 1)
+
+
+def any_number(setting):
+    six, twelve = (rates(agents(setting), scenario) for scenario in ('circle6', 'circle12'))
+    return Judgement(f'one table, six: {rates_sentence(six)}; twelve: {rates_sentence(twelve)}',
+                     good_and_rare([six.success, twelve.success], [six.contact, twelve.contact]))
+
+
+def staying_pays(setting):
+    without, free, dear = (future_work.rates(setting, variation).success
+                           for variation in ('thesis', 'stay', 'stay_5'))
+    return Judgement(f'success of twelve agents at varied speeds %: {Spread(without).text(1)} without the action, '
+                     f'{Spread(free).text(1)} with the action at no cost, {Spread(dear).text(1)} at a cost of 5',
+                     decide_all(decide_greater(without, free), decide_greater(dear, free)))
+
+
+def staying_helps(setting):
+    without = future_work.rates(setting, 'thesis').contact
+    found = {name: future_work.rates(setting, variation) for name, variation in COSTS.items()}
+    # An agent that stays forever has no contacts.
+    verdicts = [decide_greater(without, one.contact) for one in found.values() if is_good(one.success.mean())]
+    texts = [f'{name} {Spread(one.contact).text(1)}' for name, one in found.items()]
+    return Judgement(f'contact of twelve agents at varied speeds %: {Spread(without).text(1)} without the action; '
+                     f'{", ".join(texts)}; judged by the costs at which {GOOD:g} % arrive', decide_all(*verdicts))

@@ -1,6 +1,7 @@
 """Measures of what the thesis only describes: groups, surrounded agents, passages between two obstacles. Places are
 arrays (tick, agent, 2) [m], nan for an agent that is not present."""
-import dataclasses
+
+import typing
 
 import numpy
 import pandas
@@ -10,8 +11,7 @@ COLLISION_RADIUS = 0.5  # [m]
 CONTACT_OVERLAP = 0.001  # [m] a smaller overlap is not a contact
 
 
-@dataclasses.dataclass(frozen=True)
-class Sector:
+class Sector(typing.NamedTuple):
     """An occupied sector; angles from straight ahead, positive to the left [degrees]."""
     begin: float
     end: float
@@ -20,10 +20,9 @@ class Sector:
 
 def sectors_of(occupied):
     """Parses the sectors of a record; sectors to the right of straight ahead have negative angles."""
-    sectors = [Sector(float(begin), float(end), int(distance_class))
-               for begin, end, distance_class in (word.split(':') for word in occupied.split())]
-    return [dataclasses.replace(sector, begin=sector.begin - 360, end=sector.end - 360) if sector.end > 180 else sector
-            for sector in sectors]
+    sectors = [map(float, word.split(':')) for word in occupied.split()]
+    return [Sector(begin - (360 if end > 180 else 0), end - (360 if end > 180 else 0), int(distance_class))
+            for begin, end, distance_class in sectors]
 
 
 def nearest_distances(places):
@@ -104,8 +103,7 @@ def outcomes_of(decisions):
     return count, share(decisions['contact'].sum(), count), share(decisions['collision'].sum(), count)
 
 
-@dataclasses.dataclass(frozen=True)
-class Surrounded:
+class Surrounded(typing.NamedTuple):
     """Decisions of surrounded agents, other decisions (see outcomes_of()), and the results of the surrounded agents."""
     inside: tuple
     outside: tuple

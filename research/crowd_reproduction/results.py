@@ -1,4 +1,5 @@
-"""The runs that runs.yaml declares, and what they have written: a measure is a value for each seed."""
+"""The runs that runs.yaml declares, and what they have written: a measure is a value for each seed. Names and texts of
+figures and tables."""
 import dataclasses
 import functools
 import itertools
@@ -8,11 +9,11 @@ import re
 import numpy
 import pandas
 import yaml
-from crowd_drawing.files import read_scene
-from crowd_drawing.motion import place_of
-from crowd_experiments.records import median, read_csv, read_table_header, read_tracks, read_visits
+from crowd_drawing.files import place_of, read_scene
+from crowd_experiments.records import Spread, median, read_csv, read_table_header, read_tracks, read_visits
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import EVERY, Setting, read_documents, vary_config, vary_scenario
+from crowd_studies.program import Report, read_texts
 
 DECLARED = yaml.safe_load(pathlib.Path(__file__).with_name('runs.yaml').read_text(encoding='utf-8'))
 GROUPS, LISTS, NEEDS = (DECLARED[key] for key in ('groups', 'lists', 'needs'))
@@ -20,6 +21,11 @@ DEMO_SEED = 1000  # is added to the seed of the training, so that the places dif
 RATES = {'success': 'arrived', 'collision': 'collided', 'contact': 'touched'}  # in the order of all texts
 PARAMETERS, SETS, REWARDS = ('thesis', 'better'), ('nearest', 'occupancy'), ('distance_gained', 'cosine_cubed')
 DECISIONS = ['instance', 'tick', 'agent', 'x', 'y', 'heading', 'row', 'action', 'occupied']  # columns of a file
+TEXTS = read_texts(__file__)
+REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
+REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
+PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}
+RATE_HEADER = [f'{rate} %' for rate in RATES]
 
 
 def value_text(value):
@@ -28,7 +34,6 @@ def value_text(value):
 
 
 def variation_of(choice, value):
-    """Returns the variation in which a choice has a value."""
     label = f"{choice['name']}: {value_text(value)}"
     return re.sub(r'[^a-z0-9.]+', '_', label.lower()).strip('_'), {
         'label': label, 'choice': choice['name'], 'value': value_text(value),
@@ -46,8 +51,7 @@ def choices_of(setting):
 
 
 def chosen(setting, choice):
-    """Returns the value of a choice in the thesis configuration, as a text."""
-    file = setting.config_file(f'reward_{REWARDS[0]}_thesis') if 'config' in choice else \
+    file = setting.experiments / f'reward_{REWARDS[0]}_thesis.yaml' if 'config' in choice else \
         setting.scenario('single_obstacle')
     value = read_documents(file)[0]
     for key in (choice.get('config') or choice['scenario']).split('.'):
@@ -65,16 +69,14 @@ def scenario_file(setting, name, variation=None):
 
 
 def config_file(setting, name, variation):
-    """Returns the file of a training configuration, as changed by a variation."""
     changes = VARIATIONS.get(variation, {})
     scenarios = [scenario_file(setting, 'single_obstacle', variation)] if 'scenario' in changes else None
     if 'config' in changes or scenarios:
         return vary_config(setting, name, changes.get('config', {}), f'{name}_{variation}', scenarios)
-    return setting.config_file(name)
+    return setting.experiments / f'{name}.yaml'
 
 
 def words_of(setting, word, keys):
-    """Returns what a word of a declared command stands for."""
     variation = keys.get('variation')
     if word.startswith('@'):
         return [config_file(setting, word[1:], variation)]
@@ -90,21 +92,19 @@ def commands_of(setting, declared, keys):
         words = [part for word in declared.format(**keys).split() for part in words_of(setting, word, keys)]
         if words[0] == 'walk':
             words[:2] = ['evaluate', '--q-table', words[1], '--threads', 1, '--seed', DEMO_SEED + keys['seed']]
-        yield [setting.tool(words[0]), *words[1:]]
+        yield [setting.tools / words[0], *words[1:]]
     elif all(keys[key] == value for key, value in declared.get('when', {}).items()):
         for more in combinations(setting, declared.get('each', {})):
             yield from commands_of(setting, declared['run'], {**keys, **more})
 
 
 def combinations(setting, each):
-    """Yields all combinations of values by their keys; numbers may be fewer with --quick."""
-    values = [choices_of(setting) if listed == 'choices' else numbers_of(setting, listed) for listed in each.values()]
+    """Yields all combinations of values by their keys. '0 10 100|0 5' stands for 0, 10 and 100, with --quick for 0 and
+    5; another list is taken as it is."""
+    values = [choices_of(setting) if listed == 'choices' else
+              list(map(int, setting.count(*listed.split('|')).split())) if isinstance(listed, str) else listed
+              for listed in each.values()]
     return (dict(zip(each, chosen_ones)) for chosen_ones in itertools.product(*values))
-
-
-def numbers_of(setting, listed):
-    """'0 10 100|0 5' -> [0, 10, 100], with --quick [0, 5]; another list is returned as it is."""
-    return list(map(int, setting.count(*listed.split('|')).split())) if isinstance(listed, str) else listed
 
 
 def plan(experiment):
@@ -115,7 +115,6 @@ def plan(experiment):
 
 
 def runs_of(setting, group):
-    """Yields the runs of a group."""
     declared = GROUPS[group]
     for keys in combinations(setting, {'seed': setting.seeds(declared['seeds']), **declared['each']}):
         yield Run(Runs.of(setting, group, **keys).folder(keys['seed']), [
@@ -151,7 +150,6 @@ class Runs:
         return pandas.concat(rows, names=['seed', 'row']).reset_index('seed')
 
     def rates(self, file, scenario=None):
-        """Returns the rates of the seeds [%], see rates_of()."""
         return rates_of(self.record(file, scenario))
 
     def arrivals(self, file, column, scenario=None):
@@ -165,17 +163,14 @@ class Runs:
         return 100.0 * fine.groupby('seed').mean()
 
     def headers(self, table, key):
-        """Returns a number in the headers of Q-tables, for each seed."""
         return [float(read_table_header(self.folder(seed) / table)[key]) for seed in self.seeds()]
 
     @functools.lru_cache(maxsize=None)
     def tracks(self, seed, file):
-        """Returns the recorded places, by instance."""
         return read_tracks(self.folder(seed) / file)
 
     @functools.lru_cache(maxsize=None)
     def decisions(self, seed, scenario, folder='states'):
-        """Returns all recorded decisions in a scenario."""
         return read_decisions(self.folder(seed) / folder / f'{scenario}.csv')
 
     @functools.lru_cache(maxsize=None)
@@ -191,7 +186,6 @@ def rates_of(rows):
 
 
 def per_seed(rows, measure):
-    """Returns a measure of the rows of each seed."""
     return [measure(of_seed) for _, of_seed in rows.groupby('seed')]
 
 
@@ -221,3 +215,25 @@ def obstacle_places(setting, scenario, ticks):
     """Returns the places of the first obstacle of a scenario at each tick from the start [m]."""
     scene = read_scene(setting.scenario(scenario), 0)
     return numpy.array([place_of(scene.obstacles[0], tick * scene.tick) for tick in range(ticks)])
+
+
+def report_of(name, setting, seeds, **values):
+    """Returns the empty chapter of an experiment with this number of seeds, and its first text."""
+    report = Report(name, TEXTS, setting, seeds=len(setting.seeds(seeds)), spread=TEXTS['spread'], **values)
+    report.say('intro')
+    return report
+
+
+def rate_texts(rates):
+    """Returns the texts of success, collision and contact, given a table with a row for each seed."""
+    return [Spread(rates[rate]).text(1) for rate in RATES]
+
+
+def rates_sentence(rates):
+    return 'success {} %, collision {} %, contact {} %'.format(*rate_texts(rates))
+
+
+def means_sentence(rates, contact=0):
+    """Returns the means as part of a sentence; `contact`: decimals of its contact."""
+    means = rates.mean()
+    return f'success {means.success:.0f} %, collision {means.collision:.0f} %, contact {means.contact:.{contact}f} %'

@@ -8,8 +8,7 @@ from crowd_experiments.variations import heading_of, read_documents
 from crowd_studies.scene_figures import frame_alike
 from matplotlib.ticker import ScalarFormatter
 
-from .names import PARAMETER_NAMES, REWARD_COLOURS, REWARD_NAMES
-from .results import PARAMETERS, REWARDS
+from .results import PARAMETERS, PARAMETER_NAMES, REWARDS, REWARD_COLOURS, REWARD_NAMES
 from .reward_measures import (MODES, SPEED, THESIS_SUCCESS, collision, gain_per_step, learned, of_mode, path_per_gain,
                               success)
 
@@ -49,7 +48,6 @@ def shown_seed(runs):
 
 
 def shown_text(chapter, setting, parameters):
-    """Returns a text that states which seeds are drawn, and why."""
     seeds = {reward: shown_seed(learned(setting, reward, parameters)) for reward in REWARDS}
     return chapter.text_of(
         'shown', what="thesis's success in demo" if parameters == 'thesis' else 'median success in demo',
@@ -113,7 +111,6 @@ def add_scatters(chapter, setting, parameters, mode):
 
 
 def scatter(panel, record, measure, colour):
-    """Draws a ratio in each episode."""
     arrived = record['arrived'] > 0
     for chosen, look in ((arrived, {'marker': '.', 'markersize': 4, 'alpha': 0.5}),
                          (~arrived, {'marker': 'x', 'markersize': 4})):
@@ -160,15 +157,13 @@ def add_paths(chapter, setting, parameters):
 
 
 def draw_paths(panel, folder):
-    """Draws the recorded paths of one run. Returns the picture."""
     scenes = read_documents(folder / 'single_free.yaml')
     picture = Picture(panel)
     for instance, colour in enumerate(colours_of(DRAWN_EPISODES)):
         agent = scenes[instance]['agents'][0]
         _, walks = read_walks(folder / 'single_free.csv', instance)
         places = [(x, y) for _, x, y in walks[0]]
-        for place in places:
-            picture.show(place, agent['radius'])
+        picture.show(places, agent['radius'])
         panel.plot(*zip(*places), color=colour, linewidth=1.4, zorder=5)
         picture.draw_goals(agent['goals'], agent['radius'], colour)
         picture.disc(places[0], 0.06, facecolor=colour, edgecolor='none', zorder=6)

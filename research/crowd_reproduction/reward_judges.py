@@ -8,8 +8,7 @@ from crowd_experiments.records import spread_text
 
 from . import reward_measures as measures
 from .claim import Judgement, compared, decide, decide_each, decide_near, joined
-from .names import REWARD_NAMES
-from .results import REWARDS, per_seed
+from .results import Runs, REWARDS, REWARD_NAMES, per_seed
 from .reward_measures import MODES, THESIS_SUCCESS, learned, of_mode
 
 DIFFERENT = 5.0  # [points] rates that differ by more do not depict each other
@@ -42,14 +41,12 @@ def scattered(setting, breadth, mode, greater, decimals=2):
 
 
 def each(setting, reward, mode, measure, sign, limit):
-    """Judges that a measure meets a condition."""
     values = measured(setting, reward, mode, measure)
     return Judgement(f'{REWARD_NAMES[reward]} {spread_text(values)}',
                      decide_each(values, lambda value: CONDITIONS[sign](value, limit)))
 
 
 def number(setting, reward, mode):
-    """Judges a rate of success that the thesis reports."""
     values, reported = measured(setting, reward, mode, 'success'), THESIS_SUCCESS[reward, mode]
     return Judgement(f'{REWARD_NAMES[reward]}: thesis {reported:.2f}, here {spread_text(values)}',
                      decide_near(values, reported))
@@ -73,7 +70,6 @@ def softer(setting):
 
 
 def separated(record):
-    """Returns whether the distances gained per step form two groups."""
     gains = numpy.sort(record['gain_per_tick'])
     side, between = max(1, math.ceil(LEAST_SIDE * len(gains))), int(MOST_BETWEEN * len(gains)) + 1
     gaps = gains[between:] - gains[:-between]
@@ -89,14 +85,13 @@ def separation(setting, reward):
 
 
 def less_in_demo(setting, reward):
-    """Judges that success is lower in demo than in training."""
     training, demo = (measured(setting, reward, mode, 'success') for mode in MODES)
     return compared(f'{REWARD_NAMES[reward]}: ', 'training', training, 'demo', demo)
 
 
 def longer(setting, reward, measure, rises):
     """Judges that more training improves a rate in demo."""
-    more = of_mode(measures.longer(setting, reward), 'demo', getattr(measures, measure))
+    more = of_mode(Runs.of(setting, 'longer', reward=reward), 'demo', getattr(measures, measure))
     name, usual_name = (f'{number:,} episodes' for number in setting.count((8000, 2000), (80, 40)))
     return compared(f'{REWARD_NAMES[reward]}: ', name, more, usual_name, measured(setting, reward, 'demo', measure),
                     falls=not rises)
@@ -140,7 +135,6 @@ def similar_success(setting):
 
 
 def mostly_free(setting, reward):
-    """Judges that most states in training are without an obstacle."""
     shares = measures.free_share(learned(setting, reward))
     return Judgement(f'{REWARD_NAMES[reward]}: {spread_text(shares, 1)} % without an obstacle',
                      decide_each(shares, lambda share: share > 50.0))

@@ -13,25 +13,17 @@ GOAL_SECTORS = 8  # of state set 1; its first rows are those without an obstacle
 # Rates that the thesis reports [%].
 THESIS_SUCCESS = {('distance_gained', 'training'): 92.25, ('cosine_cubed', 'training'): 99.60,
                   ('distance_gained', 'demo'): 73.80, ('cosine_cubed', 'demo'): 79.10}
+success, collision, contact = (
+    functools.partial(lambda column, rows: percent(rows[column]), column) for column in RATES.values())
 
 
 def learned(setting, reward, parameters='thesis'):
-    """Returns the runs of a reward."""
     return Runs.of(setting, 'learned', reward=reward, parameters=parameters)
-
-
-def longer(setting, reward):
-    """Returns the runs of a reward with more training."""
-    return Runs.of(setting, 'longer', reward=reward)
 
 
 def of_mode(runs, mode, measure):
     """Returns a measure for each seed; mode: training, demo, free or patient."""
     return per_seed(runs.record(f'{mode}.csv'), measure)
-
-
-success, collision, contact = (
-    functools.partial(lambda column, rows: percent(rows[column]), column) for column in RATES.values())
 
 
 def gain_per_step(rows):

@@ -1,9 +1,11 @@
-"""The twins tests (4.2): what agents of several trainings did in them."""
+"""The twins tests (4.2): what agents of several trainings did in them, and the judges of the claims about it."""
 import numpy
-from crowd_experiments.records import percent
+import pandas
+from crowd_experiments.records import Spread, percent
 
+from .claim import Judgement, NOT_CONFIRMED, VERDICTS, best_of, compared, decide_all, graded, joined
 from .measures import crossing
-from .results import Runs
+from .results import Runs, SETS
 
 SCENES = {'same_state_a': 'a: one obstacle', 'same_state_b': 'b: a wide obstacle', 'same_state_c': 'c: two obstacles'}
 TESTS = {'twins_a': 'a: overlapping', 'twins_b': 'b: close', 'twins_c': 'c: gap too small', 'twins_d': 'd: tight gap'}
@@ -18,30 +20,14 @@ class Agent:
 
     def __init__(self, setting, training, states, parameters='thesis'):
         self.runs = Runs.of(setting, 'twins' if training == 'twins' else 'agents', states=states, parameters=parameters)
-        self.tests = f'tests_{training}'
+        self.tests, self.file = f'tests_{training}', f'tests_{training}.csv'
         self.table = 'single.txt' if training == 'single' else 'q_table.txt'
-
-    def record(self, test):
-        """Returns the record of all seeds in a test."""
-        return self.runs.record(f'{self.tests}.csv', test)
-
-    def rates(self, test):
-        """Returns the rates of the seeds in a test."""
-        return self.runs.rates(f'{self.tests}.csv', test)
-
-    def arrivals(self, test, column):
-        """Returns the median of a column over the arrivals in a test, for each seed; nan without arrivals."""
-        return self.runs.arrivals(f'{self.tests}.csv', column, test)
 
     def clean_shares(self, *tests):
         """Returns the share of episodes [%] with an arrival and without a collision of each seed; of tests the mean."""
-        of_tests = [self.record(test).eval('arrived > 0 and collided == 0').groupby(self.record(test)['seed']).mean()
-                    for test in tests]
+        of_tests = [record.eval('arrived > 0 and collided == 0').groupby(record['seed']).mean()
+                    for record in (self.runs.record(self.file, test) for test in tests)]
         return 100.0 * sum(of_tests) / len(of_tests)
-
-    def drawn(self, seed):
-        """Returns the folder of the trajectories to be drawn, and of their scenes."""
-        return self.runs.folder(seed) / self.tests
 
     def passages(self):
         """Returns the shares [%] of episodes of test d that pass between the obstacles, and around, for all seeds."""
@@ -60,10 +46,62 @@ def first_decision(setting, scene, states):
 
 
 def rows_of(setting, states):
-    """Returns the rows of the three scenes of figure 4.13."""
     return [int(first_decision(setting, scene, states)['row']) for scene in SCENES]
 
 
-def mean_of_finite(values):
-    """Returns the means of columns over the finite values; nan if there are none."""
-    return [numpy.nanmean(line) if numpy.isfinite(line).any() else numpy.nan for line in numpy.transpose(values)]
+def same_row(setting):
+    first, second = (rows_of(setting, states) for states in SETS)
+    return Judgement(f'rows of set 1: {first}, of set 2: {second}',
+                     VERDICTS[2 - int(len(set(first)) == 1) - int(len(set(second)) == len(second))])
+
+
+def alone_behaves(setting):
+    values = Agent(setting, 'single', 'nearest').clean_shares(ALONE)
+    return Judgement(f'set 1 arrives without a collision in {Spread(values).text(1)} % of the episodes', graded(values))
+
+
+def two_confuse(setting):
+    agent = Agent(setting, 'single', 'nearest')
+    return compared('set 1, episodes with arrival and without a collision %: ', 'one obstacle perceived',
+                    agent.clean_shares(ALONE), 'two', agent.clean_shares(*TESTS), 1)
+
+
+def handles(setting, test):
+    """Judges whether set 2 handles a test, which means that it arrives without a collision."""
+    values = {name: Agent(setting, training, 'occupancy').clean_shares(test) for training, name in TRAININGS.items()}
+    text = '; '.join(f'{name}: {Spread(of_seeds).text(1)} %' for name, of_seeds in values.items())
+    better = Spread(Agent(setting, 'field', 'occupancy', 'better').clean_shares(test)).text(1)
+    return Judgement(f'arrives without a collision, {text}; better parameters, {TRAININGS["field"]}: {better} %',
+                     best_of(map(graded, values.values())))
+
+
+def second_set_is_better(setting):
+    parts = []
+    for training, name in TRAININGS.items():
+        first, second = (Agent(setting, training, states).clean_shares(*TESTS) for states in SETS)
+        parts.append(compared(f'{name}: ', 'set 2', second, 'set 1', first, 1))
+    return joined(parts, '; ', 'all four tests, episodes with arrival and without a collision %. ')
+
+
+def squeezes(setting):
+    found = {name: Agent(setting, training, 'occupancy').passages() for training, name in TRAININGS.items()}
+    texts = [f'{name}: between {Spread(between).text(1)} %, around {Spread(around).text(1)} %'
+             for name, (between, around) in found.items()]
+    return Judgement(f'episodes of test d in which the agent passes: {"; ".join(texts)}',
+                     best_of(graded(between) for between, _ in found.values()))
+
+
+def takes_longer(setting):
+    texts, verdicts = [], []
+    for training, name in TRAININGS.items():
+        agent = Agent(setting, training, 'occupancy')
+        *others, tight = (agent.runs.arrivals(agent.file, 'ticks', test) for test in TESTS)
+        pairs = [pair for pair in zip(tight, pandas.DataFrame(others).mean()) if numpy.isfinite(sum(pair))]
+        if pairs:
+            found = compared(f'{name}: ', 'd', next(zip(*pairs)), 'a to c', [other for _, other in pairs], 0)
+            texts.append(found.measured)
+            verdicts.append(found.verdict)
+        else:
+            texts.append(f'{name}: no seed arrives in d and in another test')
+    return Judgement(f'decisions of the agents that arrive. {"; ".join(texts)}',
+                     decide_all(*verdicts) if verdicts else NOT_CONFIRMED)

@@ -1,7 +1,7 @@
 """Scenarios and robots of the benchmark; measures of episodes of one robot, from records of `evaluate --robots-csv`,
 and their tables."""
-import dataclasses
 import math
+import typing
 
 import numpy
 import pandas
@@ -55,12 +55,10 @@ def read_record(file):
 
 
 def rows_of(record, scenario):
-    """Returns the rows of a record that belong to a scenario."""
     return record[record['scenario'] == scenario]
 
 
-@dataclasses.dataclass(frozen=True)
-class Summary:
+class Summary(typing.NamedTuple):
     """Results of many episodes. Means are nan if there is nothing to take the mean of."""
     episodes: int
     arrived: int
@@ -75,7 +73,6 @@ class Summary:
 
     @classmethod
     def of(cls, record):
-        """Sums up a record."""
         success, touched = record['success'] > 0, record[CAUSES].sum(axis=1) > 0
         time = record['time_to_reach_goal']
         known = record[record['people_compared'] > 0]
@@ -86,7 +83,6 @@ class Summary:
                    record['personal_space_time'].mean(), *of_people)
 
     def cells(self):
-        """Returns the cells of a row, without its names."""
         return [share_text(self.arrived, self.episodes), share_text(self.clean, self.episodes),
                 ', '.join(map(str, self.contacts)), number_text(self.time, 1),
                 number_text(self.personal_space_time, 1), number_text(self.people_delay, 2),

@@ -1,12 +1,12 @@
 """The program `walk_places`."""
 import pathlib
-import subprocess
 import tempfile
 
 import pandas
 from crowd_experiments.arguments import add_file, parser_of, positive
 from crowd_experiments.pages import Chapter, fill_document
 from crowd_experiments.records import read_csv
+from crowd_experiments.runs import output_of
 from crowd_experiments.tools import REPOSITORY, find_tools
 
 TABLE = REPOSITORY / 'config' / 'q_tables' / 'human.txt'
@@ -18,20 +18,13 @@ PLACES = {'office': ('An office floor', 60), 'station': ('A station hall', 34), 
           't_junction': ('A T-junction', 9)}
 HEADER = ['scenario', 'people in an episode', 'arrive', 'in contact', 'stopped', 'time of a person [s]']
 EXAMPLE = '''example:
-  research/walk_places --episodes 10
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
-
-
-def run(*words):
-    """Runs a program. Raises CalledProcessError if it fails."""
-    subprocess.run(list(map(str, words)), check=True, stdout=subprocess.DEVNULL)
+  research/walk_places --episodes 10'''
 
 
 def measure(walk, name, episodes, folder):
     """Walks a place. Returns a row of the table."""
-    run(*walk, '--episodes', episodes, '--record', folder / 'record.csv', '--csv', folder / 'metrics.csv',
-        scenario_of(name))
+    output_of([*walk, '--episodes', episodes, '--record', folder / 'record.csv', '--csv', folder / 'metrics.csv',
+               scenario_of(name)])
     people = pandas.DataFrame(read_csv(folder / 'record.csv'))
     success = read_csv(folder / 'metrics.csv')['success_pct'][0]  # without people whose routes repeat
     counts = people.groupby('episode').size()
@@ -47,16 +40,14 @@ def scenario_of(name):
 
 
 def draw(walk, name, folder):
-    """Draws the picture of a place."""
     title, moment = PLACES[name]
-    run(*walk, '--episodes', 1, '--trajectories', folder, scenario_of(name))
-    run(REPOSITORY / 'scripts' / 'plot_paths', '--trajectories', folder / f'place_{name}.csv', '--scenario',
-        scenario_of(name), '--moment', moment, '--title', f'{title}, after {moment} s', '--output',
-        REPOSITORY / 'docs' / 'images' / f'place_{name}.png')
+    output_of([*walk, '--episodes', 1, '--trajectories', folder, scenario_of(name)])
+    output_of([REPOSITORY / 'scripts' / 'plot_paths', '--trajectories', folder / f'place_{name}.csv', '--scenario',
+               scenario_of(name), '--moment', moment, '--title', f'{title}, after {moment} s', '--output',
+               REPOSITORY / 'docs' / 'images' / f'place_{name}.png'])
 
 
 def main(words=None):
-    """Runs the program with command line words."""
     parser = parser_of('walk_places', 'Walks the places of config/scenarios, and updates the pictures and the table of '
                        'docs/places.md.', EXAMPLE)
     parser.add_argument('--episodes', type=positive, default=50, metavar='N',

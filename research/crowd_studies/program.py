@@ -1,15 +1,19 @@
-"""A program that runs experiments and writes a page with their results."""
-import dataclasses
+"""A program that runs experiments and writes a page with their results; texts of its chapters are in a YAML file."""
 import os
 import pathlib
+import re
 import time
+import typing
 
+import yaml
+from crowd_experiments import style
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
-from crowd_experiments.pages import fill_document, write_page
-from crowd_experiments.runs import execute_left, text_of
+from crowd_experiments.pages import Chapter, fill_document, write_page
+from crowd_experiments.runs import RunError, execute_left, text_of
 from crowd_experiments.tools import find_config, find_tools
 from crowd_experiments.variations import Setting
 
+COUNT = re.compile(r'\{([\d,]+)\|([\d,]+)\}')  # a number, and the one with --quick
 EPILOG = '''experiments:
 {experiments}  all                all of them
 
@@ -17,37 +21,84 @@ Completed runs are kept unless one of their programs, configurations or scenario
 finished runs; the same command continues from there.
 
 example:
-  research/{program.name} {program.experiments[0].NAME} --results results --processes 2
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+  research/{program.name} {program.experiments[0].name} --results results --processes 2'''
 
 
-@dataclasses.dataclass(frozen=True)
-class Program:
-    """Its parameters. An experiment is a module with NAME, TITLE, plan(setting) and report(setting)."""
+def read_texts(package):
+    """Returns the texts of a package, given its __file__, by chapters."""
+    return yaml.safe_load(pathlib.Path(package).with_name('texts.yaml').read_text(encoding='utf-8'))
+
+
+class Report(Chapter):
+    """A chapter with a setting. Its texts have names: `title`, and those of texts, figures and tables. In a text,
+    {name} stands for a value, and {100|5} for 100, with --quick for 5."""
+
+    def __init__(self, name, texts, setting, **values):
+        super().__init__(name, texts[name]['title'])
+        self.texts, self.setting, self.values = texts[name], setting, values
+
+    def text_of(self, name, **values):
+        text = COUNT.sub(lambda match: str(self.setting.count(*match.groups())), self.texts[name])
+        return text.format(**{**self.values, **values})
+
+    def say(self, name, **values):
+        self.add_text(self.text_of(name, **values))
+
+    def draw(self, figure, file, text=None, **values):
+        """Saves a figure and adds it; its caption has the name of the file, unless another name is given."""
+        target = self.setting.results / 'figures' / f'{file}.png'
+        self.add_figure(style.save(figure, target), self.text_of(text or file, **values))
+
+    def tabulate(self, name, header, rows, text=None, **values):
+        """Adds a table; its title has the name of the table, unless another name is given."""
+        self.add_table(self.text_of(text or name, **values), header, rows, name)
+
+
+class Experiment(typing.NamedTuple):
+    """A chapter of the page: functions of the Setting that return its runs, and the chapter from their results."""
+    name: str
+    title: str
+    plan: typing.Callable
+    report: typing.Callable
+
+
+class Program(typing.NamedTuple):
+    """Its parameters. `needs_benchmark`: experiments without runs need the steering benchmark."""
     name: str
     title: str  # of the page
     experiments: tuple
     description: str  # for --help
     intro: str  # of the page
+    needs_benchmark: bool = False
 
     def main(self, words=None):
-        """Runs the program with command line words."""
         arguments = self.parser().parse_args(words)
         start = time.monotonic()
         chosen = [experiment for experiment in self.experiments
-                  if experiment.NAME in arguments.experiments or 'all' in arguments.experiments]
-        setting = self.setting_of(arguments)
+                  if experiment.name in arguments.experiments or 'all' in arguments.experiments]
+        benchmark = arguments.benchmark.resolve() if self.needs_benchmark and arguments.benchmark else None
+        if benchmark and not (benchmark / 'reference.csv').is_file():
+            raise RunError(f'{benchmark}: has no reference.csv')
+        setting = Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick,
+                          benchmark=benchmark)
+        for experiment in chosen:
+            if not experiment.plan(setting):
+                print(f'{experiment.name}: left out, it needs the steering benchmark (--benchmark FOLDER)', flush=True)
         execute_left([run for experiment in chosen for run in experiment.plan(setting)], arguments.processes,
                      arguments.force)
-        page = self.write(setting, self.chapters(setting, chosen), arguments.document)
+        chapters = self.chapters(setting, chosen)
+        if arguments.document:
+            print('\n'.join(fill_document(arguments.document, chapters)))
+        page = setting.results / 'index.html'
+        page.parent.mkdir(parents=True, exist_ok=True)
+        write_page(page, self.title, self.name, chapters,
+                   self.intro + (' Quick run: the results are meaningless.' if setting.quick else ''))
         print(f'\nTook {text_of(time.monotonic() - start)}. All figures and tables: {page}')
 
     def parser(self):
-        """Returns the parser of the command line."""
-        listed = ''.join(f'  {experiment.NAME:18} {experiment.TITLE}\n' for experiment in self.experiments)
+        listed = ''.join(f'  {experiment.name:18} {experiment.title}\n' for experiment in self.experiments)
         parser = parser_of(self.name, self.description, EPILOG.format(experiments=listed, program=self))
-        parser.add_argument('experiments', nargs='+', choices=[*(one.NAME for one in self.experiments), 'all'],
+        parser.add_argument('experiments', nargs='+', choices=[*(one.name for one in self.experiments), 'all'],
                             metavar='EXPERIMENT', help='see below')
         add_file(parser, '--results', default=pathlib.Path('results'), metavar='FOLDER',
                  help='folder of all results (default: results)')
@@ -59,20 +110,11 @@ class Program:
         add_tools(parser)
         add_file(parser, '--document', metavar='FILE.md',
                  help='also update the tables of this document, and its pictures in images/')
+        if self.needs_benchmark:
+            add_file(parser, '--benchmark', metavar='FOLDER',
+                     help='folder of the steering benchmark with scenarios/, reference.csv and score.py; experiments '
+                          'that need it are left out without it')
         return parser
-
-    def setting_of(self, arguments):
-        return Setting(find_tools(arguments.tools), find_config(), arguments.results.absolute(), arguments.quick)
-
-    def write(self, setting, chapters, document):
-        """Writes the page and updates the document. Returns the file of the page."""
-        if document:
-            print('\n'.join(fill_document(document, chapters)))
-        page = setting.results / 'index.html'
-        page.parent.mkdir(parents=True, exist_ok=True)
-        write_page(page, self.title, self.name, chapters,
-                   self.intro + (' Quick run: the results are meaningless.' if setting.quick else ''))
-        return page
 
     def chapters(self, setting, chosen):
         """Returns the chosen chapters, whose tables it prints, and all others whose runs are complete."""

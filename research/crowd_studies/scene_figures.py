@@ -3,8 +3,7 @@ import math
 
 from matplotlib.patches import Circle, Wedge
 
-from crowd_drawing.files import read_scene, read_walks
-from crowd_drawing.motion import place_of
+from crowd_drawing.files import place_of, read_scene, read_walks
 from crowd_drawing.picture import OBSTACLE_COLOUR, START_ALPHA, Picture, colours_of
 
 CLASS_COLOURS = {1: '#e31a1c', 2: '0.6'}  # the inner radius is red in the thesis, the rest of the surroundings grey
@@ -71,7 +70,9 @@ def draw_moment(axes, scene, walks, tick, colour=None, with_starts=False, with_p
         if with_paths:
             draw_walker(picture, scene.agents[agent], walk, tick, colour[agent], with_starts)
         elif walk[-1][0] >= tick:
-            draw_body(picture, scene.agents[agent], walk, tick, colour[agent])
+            place, radius = place_at(walk, tick), scene.agents[agent]['radius']
+            picture.show(place, radius)
+            picture.disc(place, radius, facecolor=colour[agent], edgecolor='none', alpha=0.8, zorder=7)
     if marked is not None:
         place = place_at(walks[marked], tick)
         picture.disc(place, 1.7 * scene.agents[marked]['radius'], fill=False, edgecolor='black', linewidth=1.8,
@@ -84,18 +85,10 @@ def place_at(walk, tick):
     return next(((x, y) for at, x, y in walk if at >= tick), walk[-1][1:])
 
 
-def draw_body(picture, body, walk, tick, colour):
-    place = next((x, y) for at, x, y in walk if at == tick)
-    picture.show(place, body['radius'])
-    picture.disc(place, body['radius'], facecolor=colour, edgecolor='none', alpha=0.8, zorder=7)
-
-
 def frame_alike(pictures):
     """Sets the same limits for all pictures, which include all of their contents. Returns width and height [m]."""
     for picture in pictures:
-        for other in pictures:
-            picture.show(other.low)
-            picture.show(other.high)
+        picture.show([corner for other in pictures for corner in (other.low, other.high)])
     return [picture.frame() for picture in pictures][0]
 
 
@@ -104,8 +97,7 @@ def draw_walker(picture, body, walk, tick, colour, with_starts):
     picture.draw_goals(body['goals'], radius, colour)
     places = [(x, y) for _, x, y in walk]
     so_far = [(x, y) for at, x, y in walk if at <= tick]
-    for place in places:
-        picture.show(place, radius)
+    picture.show(places, radius)
     picture.axes.plot(*zip(*so_far), color=colour, linewidth=1.3, zorder=5)
     if with_starts:
         picture.disc(places[0], radius, facecolor=colour, edgecolor='none', alpha=START_ALPHA, zorder=4)

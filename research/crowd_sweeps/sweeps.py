@@ -1,11 +1,12 @@
 """Sweeps: cost against one variable, tables and pictures; weak scaling on several ranks is measured for few and
 modelled for more."""
-import dataclasses
 import math
 import shutil
+import typing
 
-from crowd_bench.catalogue import AGENT_STEPS, DECISIONS
+from crowd_bench import program
 from crowd_bench.core_benchmarks import RANKS_PROGRAM, measure
+from crowd_bench.table import AGENT_STEPS, DECISIONS
 from crowd_experiments import style
 from crowd_experiments.runs import RunError
 
@@ -28,8 +29,7 @@ def copies(ranks, agents):
     return borders * DENSITY * REACH * side
 
 
-@dataclasses.dataclass(frozen=True)
-class Model:
+class Model(typing.NamedTuple):
     """Time of a tick: agents * per_agent + copies * per_copy + bytes / bandwidth."""
     per_agent: float  # [ms]
     per_copy: float  # [ms]
@@ -51,8 +51,7 @@ class Model:
         return self.tick(1, agents) / self.tick(ranks, agents)
 
 
-@dataclasses.dataclass(frozen=True)
-class WeakScaling:
+class WeakScaling(typing.NamedTuple):
     """Sweep over the number of ranks."""
     name: str
     title: str
@@ -76,7 +75,6 @@ class WeakScaling:
         return header, rows, self.draw(efficiencies, model, measuring.plots / f'{self.name}.png')
 
     def draw(self, efficiencies, model, file):
-        """Draws measured points and the model. Returns the file."""
         figure, ((panel,),) = style.new_figure(1, 1, 5.2, 3.4)
         for agents, line in zip(MODELLED_AGENTS, ('-', '--')):
             panel.plot(MODELLED_RANKS, [model.efficiency(ranks, agents) for ranks in MODELLED_RANKS], linestyle=line,
@@ -93,8 +91,7 @@ class WeakScaling:
 RANK_SWEEPS = (WeakScaling('crowd_ranks_weak', 'One crowd on several ranks, square floor'),)
 
 
-@dataclasses.dataclass(frozen=True)
-class Sweep:
+class Sweep(typing.NamedTuple):
     """Benchmarks NAME/POINT of the core."""
     name: str
     title: str
@@ -132,7 +129,6 @@ class Sweep:
         return header, [[*row, f'{drawn / least:.2f}'] for row, (_, drawn) in zip(rows, points)]
 
     def draw(self, measured, file):
-        """Draws the measured points. Returns the file."""
         figure, ((panel,),) = style.new_figure(1, 1, 4.6, 3.2)
         points = self.points(measured)
         panel.plot(*zip(*points), marker='o', color=COLOUR)
@@ -155,3 +151,7 @@ SWEEPS = (
           threads=True),
     Sweep('train_threads', 'Training by threads, 16 learners side by side', 'threads', DECISIONS, threads=True),
 )
+
+
+def main(words=None):
+    return program.main(words, {'sweeps': (*SWEEPS, *RANK_SWEEPS)}, 'research/bench_sweeps crowd_step_agents')

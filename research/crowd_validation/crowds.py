@@ -19,6 +19,24 @@ GAPS = [(4.0, 5.0), (25.0, 26.0)]  # exits in each long wall [m]
 UPPER = {'exit 1': (4.5, HEIGHT), 'exit 2': (25.5, HEIGHT)}
 LOWER = {'exit 3': (4.5, 0.0), 'exit 4': (25.5, 0.0)}
 LONGEST = 600  # [s]
+DEPTH, DOOR = 5.0, 0.9  # of the rooms, width of their doors [m]
+CORRIDOR = (5.0, 6.0)  # y [m]
+MAIN_EXIT = [[6.0, 11.0], [7.2, 11.0]]  # at the end of a passage between the second and the third upper room
+SECOND_EXIT = [[18.0, CORRIDOR[0]], [18.0, CORRIDOR[1]]]
+TO_MAIN_EXIT = (1, 2, 3, 4, 7, 8, 9, 10)  # rooms
+# The rooms 1 to 12 as (left, right, number of people): 1 to 6 above the corridor, 7 to 12 below it.
+ROOMS = [(0.0, 3.0, 2), (3.0, 6.0, 2), (7.2, 9.0, 1), (9.0, 12.0, 2), (12.0, 15.0, 2), (15.0, 18.0, 2),
+         *((3.0 * i, 3.0 * (i + 1), 2) for i in range(6))]
+ASSIGNED = [i for i, (_, _, people) in enumerate(ROOMS, 1) for _ in range(people)]  # rooms of the 23 people
+EXITS = {'exit 1': [[21.0, HEIGHT], [22.0, HEIGHT]], 'exit 2': [[27.0, HEIGHT], [28.0, HEIGHT]]}
+OUTSIDE = (24.5, HEIGHT + 3.0)  # the goal of all, as far from one exit as from the other [m]
+SIDE, SECOND = 10.0, 15.0  # of the rooms, x of the second room [m]; the corridor and the exit are 1 m wide
+GAP = [(4.5, 5.5)]
+JAM = 5  # people below half of their maximum speed...
+JAM_TIME = 5.0  # [s] ...for this time without interruption
+WAYS = [[[10.0, 18.0], [12.0, 18.0]], [[16.0, 18.0], [18.0, 18.0]]]  # across a short and a long corridor
+ACROSS, STARTED = 20.0, 6.0  # width of the corridors, and depth of the area at their upper ends where people start [m]
+TOP, CHAMFER, END = 60.0, 10.0, 30.0  # of the corner: its first leg ends at y = 60 m, the second at x = 30 m
 
 
 def large_room(seed, exits):
@@ -34,7 +52,6 @@ def large_room(seed, exits):
 
 
 def rimea_9(evaluation):
-    """Compares the times with two and with four exits."""
     exits = {'two exits': LOWER, 'four exits': {**UPPER, **LOWER}}
     found = evaluation.walk({'two_exits': lambda seed: large_room(seed, exits['two exits']),
                              'four_exits': lambda seed: large_room(seed, exits['four exits'])})
@@ -63,17 +80,6 @@ def flow(recording, exits):
     return (PEOPLE - 2 * (PEOPLE // 10) - 1) / (end - first) / len(exits) if numpy.isfinite(end) else numpy.inf
 
 
-DEPTH, DOOR = 5.0, 0.9  # of the rooms, width of their doors [m]
-CORRIDOR = (5.0, 6.0)  # y [m]
-MAIN_EXIT = [[6.0, 11.0], [7.2, 11.0]]  # at the end of a passage between the second and the third upper room
-SECOND_EXIT = [[18.0, CORRIDOR[0]], [18.0, CORRIDOR[1]]]
-TO_MAIN_EXIT = (1, 2, 3, 4, 7, 8, 9, 10)  # rooms
-# The rooms 1 to 12 as (left, right, number of people): 1 to 6 above the corridor, 7 to 12 below it.
-ROOMS = [(0.0, 3.0, 2), (3.0, 6.0, 2), (7.2, 9.0, 1), (9.0, 12.0, 2), (12.0, 15.0, 2), (15.0, 18.0, 2),
-         *((3.0 * i, 3.0 * (i + 1), 2) for i in range(6))]
-ASSIGNED = [i for i, (_, _, people) in enumerate(ROOMS, 1) for _ in range(people)]  # rooms of the 23 people
-
-
 def twelve_rooms(seed):
     """Returns a corridor between two rows of rooms, with 23 people."""
     walls = plan.polyline((0.0, CORRIDOR[0]), (0.0, CORRIDOR[1]))
@@ -93,7 +99,6 @@ def twelve_rooms(seed):
 
 
 def rimea_10(evaluation):
-    """Counts the people who leave by their assigned exit."""
     recordings = evaluation.walk_one('corridor', twelve_rooms)
     to_main = numpy.isin(ASSIGNED, TO_MAIN_EXIT)
 
@@ -110,10 +115,6 @@ def rimea_10(evaluation):
                   problems(recordings, {'the main exit': (6.6, 11.0), 'the secondary exit': (18.0, 5.5)}), (picture,))
 
 
-EXITS = {'exit 1': [[21.0, HEIGHT], [22.0, HEIGHT]], 'exit 2': [[27.0, HEIGHT], [28.0, HEIGHT]]}
-OUTSIDE = (24.5, HEIGHT + 3.0)  # the goal of all, as far from one exit as from the other [m]
-
-
 def dense_room(seed):
     """Returns the room with a dense crowd on the left; all people walk the shortest way to the outside."""
     walls = [*plan.polyline((0.0, HEIGHT), (0.0, 0.0), (WIDTH, 0.0), (WIDTH, HEIGHT)),
@@ -123,7 +124,6 @@ def dense_room(seed):
 
 
 def rimea_11(evaluation):
-    """Counts the people by exits."""
     recordings = evaluation.walk_one('room', dense_room)
     first, second = ([int(numpy.isfinite(crossing_times(recording, gate)).sum()) for recording in recordings]
                      for gate in EXITS.values())
@@ -134,12 +134,6 @@ def rimea_11(evaluation):
                   'most by exit 1, which is nearer, and some by exit 2', passed,
                   problems(recordings, {name: gate[0] for name, gate in EXITS.items()}),
                   (draw_moments(panels, evaluation.folder / 'rimea_11.png', 2),))
-
-
-SIDE, SECOND = 10.0, 15.0  # of the rooms, x of the second room [m]; the corridor and the exit are 1 m wide
-GAP = [(4.5, 5.5)]
-JAM = 5  # people below half of their maximum speed...
-JAM_TIME = 5.0  # [s] ...for this time without interruption
 
 
 def two_rooms(seed):
@@ -156,7 +150,6 @@ def two_rooms(seed):
 
 
 def rimea_12(evaluation):
-    """Counts slow people in both rooms."""
     recordings = evaluation.walk_one('rooms', two_rooms)
     slow = [[slow_people(recording, (left, 0.0), (left + SIDE, SIDE)) for left in (0.0, SECOND)]
             for recording in recordings]
@@ -178,9 +171,6 @@ def rimea_12(evaluation):
                    save(figure, evaluation.folder / 'rimea_12_slow.png')))
 
 
-WAYS = [[[10.0, 18.0], [12.0, 18.0]], [[16.0, 18.0], [18.0, 18.0]]]  # across a short and a long corridor
-
-
 def two_ways(seed):
     """Returns a room from which two corridors lead to the same goal; the second is a detour of 12 m."""
     walls = [*plan.polyline((0.0, 9.0), (10.0, 9.0), (10.0, 28.0), (0.0, 28.0), (0.0, 35.0), (7.0, 35.0), (7.0, 30.0),
@@ -191,7 +181,6 @@ def two_ways(seed):
 
 
 def rimea_14(evaluation):
-    """Counts the people by ways."""
     recordings = evaluation.walk_one('ways', two_ways)
     short, long = ([int(numpy.isfinite(crossing_times(recording, gate)).sum()) for recording in recordings]
                    for gate in WAYS)
@@ -199,10 +188,6 @@ def rimea_14(evaluation):
     return Result(f'{counts(short)} of 100 by the short way, {counts(long)} by the long way; {arrived(recordings)}, '
                   f'{last(recordings)}', 'none: the choice is to be documented', None, problems(recordings, landmarks),
                   (draw_paths(shown(recordings), evaluation.folder / 'rimea_14.png', 'A short and a long way'),))
-
-
-ACROSS, STARTED = 20.0, 6.0  # width of the corridors, and depth of the area at their upper ends where people start [m]
-TOP, CHAMFER, END = 60.0, 10.0, 30.0  # of the corner: its first leg ends at y = 60 m, the second at x = 30 m
 
 
 def wide_corridor(seed, length):
@@ -219,13 +204,11 @@ def wide_corner(seed):
 
 
 def large_crowd(seed, walls, top, goal):
-    """Returns a scenario with 500 people."""
     people = plan.crowd(seed, 500, (0.1, -STARTED), (ACROSS - 0.1, -0.1), goal, RADIUS_IN_DENSE_CROWDS, top)
     return plan.scenario('rimea_15', 300, people, walls, goal_tolerance=0.8)
 
 
 def rimea_15(evaluation):
-    """Compares the arrival times of the last person in three corridors."""
     ends = {'short': [[0.0, 0.0], [ACROSS, 0.0]], 'corner': [[END, 0.0], [END, ACROSS]],
             'long': [[0.0, 0.0], [ACROSS, 0.0]]}
     found = evaluation.walk({'short': lambda seed: wide_corridor(seed, 50.0), 'corner': wide_corner,

@@ -1,4 +1,6 @@
 """Pictures of recorded episodes."""
+import itertools
+
 import numpy
 from matplotlib.collections import EllipseCollection, LineCollection
 
@@ -16,20 +18,24 @@ def shown(recordings):
     return max(recordings, key=lambda recording: int(numpy.isinf(recording.arrivals).sum()))
 
 
+def limits(recording):
+    """Returns the lowest and the highest coordinates of all walls and places, with a margin [m]."""
+    points = numpy.concatenate([numpy.reshape(recording.walls, (-1, 2)), recording.tracks.reshape(-1, 2)])
+    return numpy.nanmin(points, axis=0) - MARGIN, numpy.nanmax(points, axis=0) + MARGIN
+
+
 def frame(axes, recording):
     """Draws the walls and sets limits that include all places."""
     axes.add_collection(LineCollection([numpy.array(wall) for wall in recording.walls], colors='black', linewidths=2))
-    points = [numpy.array(recording.walls).reshape(-1, 2), recording.tracks.reshape(-1, 2)]
-    low, high = (function(numpy.concatenate(points), axis=0) for function in (numpy.nanmin, numpy.nanmax))
-    axes.set(xlim=(low[0] - MARGIN, high[0] + MARGIN), ylim=(low[1] - MARGIN, high[1] + MARGIN), aspect='equal',
-             xlabel='x [m]', ylabel='y [m]')
+    xlim, ylim = zip(*limits(recording))
+    axes.set(xlim=xlim, ylim=ylim, aspect='equal', xlabel='x [m]', ylabel='y [m]')
     axes.grid(False)
 
 
 def bodies(axes, places, radii, colours, **style):
     """Draws discs in metres, each in its colour, except at places that are nan."""
     present = ~numpy.isnan(places[:, 0])
-    colours = [colour for colour, is_present in zip(colours, present) if is_present]
+    colours = list(itertools.compress(colours, present))
     widths = 2.0 * radii[present]
     axes.add_collection(EllipseCollection(widths, widths, numpy.zeros(len(widths)), units='xy',
                                           offsets=places[present], offset_transform=axes.transData, facecolors=colours,
@@ -67,11 +73,7 @@ def draw_moments(panels, file, columns):
 
 def height_for(recordings, columns):
     """Returns the height of a row of panels [inch] that suits the shapes of the scenes."""
-    ratios = []
-    for recording in recordings:
-        points = numpy.concatenate([numpy.array(recording.walls).reshape(-1, 2), recording.tracks.reshape(-1, 2)])
-        extent = numpy.nanmax(points, axis=0) - numpy.nanmin(points, axis=0) + 2.0 * MARGIN
-        ratios.append(extent[1] / extent[0])
+    ratios = [numpy.divide(*numpy.subtract(*limits(recording))[::-1]) for recording in recordings]
     width = WIDTH if columns == 1 else 1.6 * WIDTH / columns
     return min(7.5, (width - 0.6) * max(ratios) + 0.9)
 

@@ -8,9 +8,11 @@ import numpy
 import yaml
 from crowd_experiments import records
 from crowd_experiments.runs import Run, Runner
-from crowd_experiments.variations import DUMPER, LOADER
+from crowd_experiments.variations import DUMPER, read_documents
 
 from .plan import TICK
+
+RESULT_FILE = 'result.json'  # in a case's folder
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -25,11 +27,9 @@ class Recording:
     touched: numpy.ndarray  # whether the agent was in contact with a body or a wall
 
     def people(self):
-        """Returns the number of agents."""
         return len(self.arrivals)
 
     def all_arrived(self):
-        """Returns whether every agent arrived."""
         return bool(numpy.isfinite(self.arrivals).all())
 
     def place_at(self, time):
@@ -45,8 +45,7 @@ class Recording:
 
 def read_recording(folder, name, tick):
     """Reads the output of evaluate for one episode of NAME.yaml, and makes the trajectories a smaller file."""
-    with open(folder / 'scenes' / f'{name}.yaml', encoding='utf-8') as stream:
-        scene = next(document for document in yaml.load_all(stream, LOADER) if document)
+    scene = read_documents(folder / 'scenes' / f'{name}.yaml')[0]
     record = records.read_csv(folder / 'record.csv')
     arrivals = numpy.where(record['arrived'] > 0, record['ticks'] * tick, numpy.inf)
     agents = scene['agents']
@@ -66,9 +65,6 @@ def read_tracks(file, agents):
     return tracks
 
 
-RESULT_FILE = 'result.json'  # in a case's folder
-
-
 @dataclasses.dataclass(frozen=True)
 class Result:
     """The result of a case. Texts are for tables."""
@@ -79,12 +75,10 @@ class Result:
     pictures: tuple = ()  # files, in the case's folder
 
     def verdict(self):
-        """Returns the text of the column `passed`."""
         return {True: 'yes', False: 'no', None: 'reported'}[self.passed]
 
 
-@dataclasses.dataclass(frozen=True)
-class Case:
+class Case(typing.NamedTuple):
     """A test. `run(evaluation)` runs the tool with all seeds, draws pictures, returns a Result."""
     name: str  # on the command line
     title: str
@@ -92,7 +86,6 @@ class Case:
 
 
 def store(folder, result, seeds):
-    """Writes a result to a case's folder."""
     record = dataclasses.asdict(result)
     record['pictures'] = [pathlib.Path(picture).name for picture in result.pictures]
     record['seeds'] = seeds
@@ -110,8 +103,7 @@ def load(folder):
         return None
 
 
-@dataclasses.dataclass(frozen=True)
-class Evaluation:
+class Evaluation(typing.NamedTuple):
     """The tool, the Q-table, and folder and seeds of a case. Results of earlier runs of the same are used again."""
     evaluate: pathlib.Path
     q_table: pathlib.Path
@@ -136,7 +128,6 @@ class Evaluation:
         return self.walk({name: plan})[name]
 
     def run_of(self, name, document, seed):
-        """Writes the scenario file of a run, and returns the run."""
         file = self.folder / 'scenarios' / f'seed_{seed}' / f'{name}.yaml'
         file.parent.mkdir(parents=True, exist_ok=True)
         text = yaml.dump(document, None, DUMPER, sort_keys=False, default_flow_style=None, width=120)

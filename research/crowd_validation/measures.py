@@ -3,6 +3,11 @@ import math
 
 import numpy
 from crowd_experiments.records import Spread
+from scipy.spatial.distance import cdist
+
+FAR = 1e6  # [m] beyond all walls
+STANDING = 0.2  # [m] a person who moved less than this in STANDING_TIME stands
+STANDING_TIME = 10.0  # [s]
 
 
 def spread(values, unit='', decimals=1):
@@ -32,7 +37,6 @@ def arrived(recordings):
 
 
 def all_arrived(recordings):
-    """Returns whether all people of all seeds arrived."""
     return all(recording.all_arrived() for recording in recordings)
 
 
@@ -45,26 +49,17 @@ def problems(recordings, landmarks):
     """Returns a text about people who did not arrive, by the nearest landmark, and about contacts; or an empty one."""
     parts = []
     for seed, recording in enumerate(recordings, 1):
-        of_seed = list(filter(None, (
-            left_over_text(recording, landmarks),
-            f'{recording.touched.sum()} in contact' if recording.touched.any() else '')))
+        of_seed = []
+        places, standing = left_over(recording)
+        if len(places):
+            near = nearest_of(places, list(landmarks.values()))
+            at = ', '.join(f'{(near == i).sum()} at {name}' for i, name in enumerate(landmarks) if (near == i).any())
+            of_seed.append(f'{len(places)} left ({at}), {standing} of them stand')
+        if recording.touched.any():
+            of_seed.append(f'{recording.touched.sum()} in contact')
         if of_seed:
             parts.append(f'seed {seed}: {", ".join(of_seed)}')
     return '; '.join(parts)
-
-
-def left_over_text(recording, landmarks):
-    """Returns the number of people who did not arrive, and their places at the end."""
-    places, standing = left_over(recording)
-    if len(places) == 0:
-        return ''
-    near = nearest_of(places, list(landmarks.values()))
-    at = ', '.join(f'{(near == i).sum()} at {name}' for i, name in enumerate(landmarks) if (near == i).any())
-    return f'{len(places)} left ({at}), {standing} of them stand'
-
-
-STANDING = 0.2  # [m] a person who moved less than this in STANDING_TIME stands
-STANDING_TIME = 10.0  # [s]
 
 
 def side(start, end, places):
@@ -112,12 +107,8 @@ def through_walls(recording):
 def largest_overlap(recording):
     """Returns by how much two bodies overlapped at most [m]; 0 if none did. For small crowds."""
     reach = recording.radii[:, None] + recording.radii[None]
-    deepest = 0.0
-    for places in recording.tracks:
-        distances = numpy.hypot(*(places[:, None] - places[None]).transpose(2, 0, 1))
-        numpy.fill_diagonal(distances, math.inf)
-        deepest = max(deepest, float(numpy.nanmax(reach - distances, initial=-math.inf)))
-    return deepest
+    numpy.fill_diagonal(reach, -math.inf)
+    return max(0.0, *(float(numpy.nanmax(reach - cdist(places, places), initial=0.0)) for places in recording.tracks))
 
 
 def starts(recording, distance=0.01):
@@ -129,24 +120,12 @@ def starts(recording, distance=0.01):
 
 def mean_speeds(recording, axis, low, high):
     """Returns the mean speed of each agent between two coordinates of an axis [m/s]; nan if it does not pass both."""
-    coordinates = recording.tracks[:, :, axis]
-    times = [passing_times(coordinates, value) * recording.tick for value in (low, high)]
+    times = []
+    for value in (low, high):
+        gate = numpy.array([[value, -FAR], [value, FAR]])
+        times.append(crossing_times(recording, gate if axis == 0 else gate[:, ::-1]))
     with numpy.errstate(invalid='ignore'):
-        return numpy.where(numpy.isfinite(times[1]), (high - low) / (times[1] - times[0]), numpy.nan)
-
-
-def passing_times(coordinates, value):
-    """Returns the interpolated tick at which each agent's growing coordinate first reaches the value; inf if never."""
-    passed = coordinates >= value
-    times = numpy.full(coordinates.shape[1], math.inf)
-    for agent in numpy.flatnonzero(passed.any(axis=0)):
-        tick = int(numpy.argmax(passed[:, agent]))
-        if tick == 0:
-            times[agent] = 0.0
-            continue
-        before, after = coordinates[tick - 1, agent], coordinates[tick, agent]
-        times[agent] = tick - (after - value) / (after - before)
-    return times
+        return numpy.where(numpy.isfinite(times).all(axis=0), (high - low) / (times[1] - times[0]), numpy.nan)
 
 
 def left_over(recording):
@@ -159,8 +138,7 @@ def left_over(recording):
 
 def nearest_of(places, points):
     """Returns the index of the point that is nearest to each place."""
-    return numpy.argmin(numpy.hypot(*(places[:, None] - numpy.asarray(points, dtype=float)[None]).transpose(2, 0, 1)),
-                        axis=1)
+    return cdist(places, points).argmin(axis=1)
 
 
 def slow_people(recording, low, high, share=0.5, period=1.0):

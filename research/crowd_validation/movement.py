@@ -13,6 +13,16 @@ from .measures import (all_arrived, arrived, counts, crossing_times, largest_ove
                        spread, starts, through_walls)
 
 LENGTH, WIDTH, SPEED = 40.0, 2.0, 1.33  # of the corridor [m], [m], [m/s]
+ROOM = (5.0, 8.0)  # [m]; the exit is in the middle of a short wall
+REACTION_TIMES = [10.0 * (i + 1) for i in range(10)]  # [s] 10, 20, ... 100
+LATEST = 0.2  # [s] two ticks
+LEG = 10.0  # of the corner [m]: inner sides of both corridors
+OVERLAP = 0.001  # [m] smaller overlaps are rounding
+PER_GROUP = 15
+SPACING = 2.0  # [m] between people abreast, so that they do not influence each other
+MEASURED = (5.0, 25.0)  # of 30 m [m]
+TOLERANCE = 0.02  # [m/s]
+AGES = [group for group in plan.SPEEDS for _ in range(PER_GROUP)]  # of the people
 
 
 def corridor(_seed):
@@ -23,17 +33,11 @@ def corridor(_seed):
 
 
 def rimea_1(evaluation):
-    """Measures the time for the 40 m."""
     recordings = evaluation.walk_one('corridor', corridor)
     times = Spread(crossing_times(recording, [[LENGTH, 0.0], [LENGTH, WIDTH]])[0] for recording in recordings)
     picture = draw_paths(recordings[0], evaluation.folder / 'rimea_1.png', 'One person in a corridor')
     return Result(f'{spread(times.values, "s", 2)} for 40 m', '26-34 s', 26.0 <= times.low and times.high <= 34.0,
                   pictures=(picture,))
-
-
-ROOM = (5.0, 8.0)  # [m]; the exit is in the middle of a short wall
-REACTION_TIMES = [10.0 * (i + 1) for i in range(10)]  # [s] 10, 20, ... 100
-LATEST = 0.2  # [s] two ticks
 
 
 def room(seed):
@@ -47,7 +51,6 @@ def room(seed):
 
 
 def rimea_5(evaluation):
-    """Compares the moments at which people start with their reaction times."""
     recordings = evaluation.walk_one('room', room)
     found = [starts(recording) for recording in recordings]
     differences = [float(numpy.max(numpy.abs(times - REACTION_TIMES))) for times in found]
@@ -63,10 +66,6 @@ def rimea_5(evaluation):
                   (save(figure, evaluation.folder / 'rimea_5.png'),))
 
 
-LEG = 10.0  # of the corner [m]: inner sides of both corridors
-OVERLAP = 0.001  # [m] smaller overlaps are rounding
-
-
 def corner(seed):
     """Returns two corridors at a right angle with 20 people in the first six metres."""
     outer = LEG + WIDTH
@@ -77,7 +76,6 @@ def corner(seed):
 
 
 def rimea_6(evaluation):
-    """Counts people through walls and in contact."""
     recordings = evaluation.walk_one('corner', corner)
     through = [through_walls(recording) for recording in recordings]
     touched = [int(recording.touched.sum()) for recording in recordings]
@@ -89,13 +87,6 @@ def rimea_6(evaluation):
                   (draw_paths(shown(recordings), evaluation.folder / 'rimea_6.png', '20 people around a corner'),))
 
 
-PER_GROUP = 15
-SPACING = 2.0  # [m] between people abreast, so that they do not influence each other
-MEASURED = (5.0, 25.0)  # of 30 m [m]
-TOLERANCE = 0.02  # [m/s]
-AGES = [group for group in plan.SPEEDS for _ in range(PER_GROUP)]  # of the people
-
-
 def floor(seed):
     """Returns people abreast on an open floor, each straight ahead, with speeds drawn by age."""
     draw = random.Random(seed)
@@ -105,7 +96,6 @@ def floor(seed):
 
 
 def rimea_7(evaluation):
-    """Compares the walked speeds of each age group with the guideline's range."""
     recordings = evaluation.walk_one('floor', floor)
     speeds = numpy.array([mean_speeds(recording, 0, *MEASURED) for recording in recordings])
     kept = max(float(numpy.max(numpy.abs(found / recording.speeds - 1.0)))
@@ -120,12 +110,10 @@ def rimea_7(evaluation):
 
 
 def within(speeds, low, high):
-    """Returns whether all speeds are in the range."""
     return bool(numpy.isfinite(speeds).all() and speeds.min() >= low - TOLERANCE and speeds.max() <= high + TOLERANCE)
 
 
 def draw_speeds(of_group, file):
-    """Draws every person's speed and the ranges of the guideline."""
     figure, ((axes,),) = new_figure(1, 1, 6.0, 4.0)
     for i, (group, speeds) in enumerate(of_group.items()):
         low, high = plan.SPEEDS[group]

@@ -53,7 +53,6 @@ def wall(start, end, gaps=()):
 
 
 def polyline(*points):
-    """Returns the walls along these points."""
     return [[list(start), list(end)] for start, end in zip(points, points[1:])]
 
 

@@ -9,9 +9,24 @@ from crowd_experiments.pages import Chapter, fill_document
 from crowd_experiments.runs import RunError, text_of
 from crowd_experiments.tools import find_evaluation
 
-from . import cases
-from .evaluation import Evaluation, load, store
+from .crowds import rimea_10, rimea_11, rimea_12, rimea_14, rimea_15, rimea_9
+from .evaluation import Case, Evaluation, load, store
+from .movement import rimea_1, rimea_5, rimea_6, rimea_7
 
+# In the order of the table. A new case is a function of an Evaluation that returns a Result, and a line here.
+ALL = [Case(run.__name__, title, run) for title, run in (
+    ('Walking speed in a corridor', rimea_1), ('Reaction times', rimea_5), ('Movement around a corner', rimea_6),
+    ('Walking speeds by age', rimea_7), ('A crowd leaves a large room', rimea_9), ('Assigned exits', rimea_10),
+    ('Choice of the exit', rimea_11), ('Two bottlenecks in a row', rimea_12), ('A short and a long way', rimea_14),
+    ('A large crowd around a corner', rimea_15))]
+# Cases of the guideline that are not here, and why.
+LEFT_OUT = {
+    'rimea_2': 'walking up stairs: the floor is plane',
+    'rimea_3': 'walking down stairs: the floor is plane',
+    'rimea_4': 'the fundamental diagram is measured by a case of its own',
+    'rimea_8': 'a parameter study in a building of several floors',
+    'rimea_13': 'fundamental diagram on stairs: the floor is plane',
+}
 HEADER = ['case', 'title', 'measured', 'expected', 'passed']
 DESCRIPTION = '''Runs the field's standard tests of pedestrian models with a learned crowd, and prints a table: what was
 measured, what the guideline expects, and whether the test is passed.'''
@@ -25,43 +40,35 @@ EXAMPLES = '''examples:
 
 A case generates its scenario files, runs `evaluate` once for each seed, measures the trajectories, and stores its
 result and pictures in the output folder. Completed runs are kept unless the program, the Q-table or their scenario has
-changed. Ctrl-C keeps the finished runs; the same command continues from there.
-
-Exit status: 0 all chosen cases were run (passed or not), 1 a run failed, 2 wrong usage, 130 interrupted.'''
-
-
-def parser():
-    """Returns the parser of the command line."""
-    found = parser_of('validate', DESCRIPTION, EXAMPLES)
-    found.add_argument('cases', nargs='*', metavar='CASE', help='names of cases, see --list (default: all)')
-    found.add_argument('--list', action='store_true', help='list the cases, and those left out with the reason')
-    found.add_argument('--table', action='store_true', help='print the table of stored results; runs nothing')
-    found.add_argument('--seeds', type=positive, default=3, metavar='N', help='number of seeds (default: %(default)s)')
-    add_file(found, '--output', default=pathlib.Path('validation'), metavar='FOLDER',
-             help='folder of scenarios, trajectories, results and pictures (default: %(default)s)')
-    add_file(found, '--document', metavar='FILE.md',
-             help='also update the table of this document, and its pictures in images/')
-    add_file(found, '--q-table', help='Q-table (default: anticipation)')
-    found.add_argument('--processes', type=positive, default=1, metavar='N',
-                       help='number of parallel runs (default: %(default)s)')
-    add_tools(found)
-    return found
+changed. Ctrl-C keeps the finished runs; the same command continues from there.'''
 
 
 def main(words=None):
-    """Runs the program with command line words. Returns the exit status."""
-    arguments = parser().parse_args(words)
-    names = [case.name for case in cases.ALL]
-    for name in arguments.cases:
-        if name not in names:
-            reason = f': {cases.LEFT_OUT[name]}' if name in cases.LEFT_OUT else ''
-            print(f"validate: no case '{name}'{reason}; there are {', '.join(names)}", file=sys.stderr)
-            return EXIT_USAGE
+    parser = parser_of('validate', DESCRIPTION, EXAMPLES, '0 all chosen cases were run (passed or not), 1 a run '
+                       'failed, 2 wrong usage, 130 interrupted.')
+    parser.add_argument('cases', nargs='*', metavar='CASE', help='names of cases, see --list (default: all)')
+    parser.add_argument('--list', action='store_true', help='list the cases, and those left out with the reason')
+    parser.add_argument('--table', action='store_true', help='print the table of stored results; runs nothing')
+    parser.add_argument('--seeds', type=positive, default=3, metavar='N', help='number of seeds (default: %(default)s)')
+    add_file(parser, '--output', default=pathlib.Path('validation'), metavar='FOLDER',
+             help='folder of scenarios, trajectories, results and pictures (default: %(default)s)')
+    add_file(parser, '--document', metavar='FILE.md',
+             help='also update the table of this document, and its pictures in images/')
+    add_file(parser, '--q-table', help='Q-table (default: anticipation)')
+    parser.add_argument('--processes', type=positive, default=1, metavar='N',
+                        help='number of parallel runs (default: %(default)s)')
+    add_tools(parser)
+    arguments = parser.parse_args(words)
+    names = [case.name for case in ALL]
+    for name in (name for name in arguments.cases if name not in names):
+        reason = f': {LEFT_OUT[name]}' if name in LEFT_OUT else ''
+        print(f"validate: no case '{name}'{reason}; there are {', '.join(names)}", file=sys.stderr)
+        return EXIT_USAGE
     if arguments.list:
-        print('\n'.join([*(f'{case.name:10} {case.title}' for case in cases.ALL),
-                         *(f'{name:10} left out: {reason}' for name, reason in cases.LEFT_OUT.items())]))
+        print('\n'.join([*(f'{case.name:10} {case.title}' for case in ALL),
+                         *(f'{name:10} left out: {reason}' for name, reason in LEFT_OUT.items())]))
         return EXIT_FINE
-    chosen = [case for case in cases.ALL if case.name in arguments.cases or not arguments.cases]
+    chosen = [case for case in ALL if case.name in arguments.cases or not arguments.cases]
     output = arguments.output.absolute()
     try:
         failed = [] if arguments.table else run_cases(chosen, arguments, output)
@@ -100,12 +107,12 @@ def report(output, chosen, document):
     for table in tables:
         table.print()
     if document:
-        print('\n'.join(fill_document(document, [chapter_of(output, [case.name for case in cases.ALL])])))
+        print('\n'.join(fill_document(document, [chapter_of(output, [case.name for case in ALL])])))
 
 
 def chapter_of(output, names):
     """Returns tables and pictures of the stored results of these cases."""
-    stored = [(case, load(output / case.name)) for case in cases.ALL if case.name in names]
+    stored = [(case, load(output / case.name)) for case in ALL if case.name in names]
     stored = [(case, *found) for case, found in stored if found]
     chapter = Chapter('validation', 'Validation')
     for case, result, _ in stored:

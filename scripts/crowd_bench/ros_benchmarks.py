@@ -4,21 +4,94 @@ Each benchmark starts its own master and nodes, and returns value, yardstick in 
 and ratio: the time of a tick through ROS divided by the time of the yardstick; for nodelets their rate divided by the
 headless rate."""
 import math
+import os
+import pathlib
+import subprocess
+import tempfile
 import time
 
-from crowd_experiments.tools import REPOSITORY
+import rosgraph
+from crowd_experiments.runs import RunError, output_of
+from crowd_experiments.tools import REPOSITORY, build_folder, programs_in
+from crowd_launching.program import end_all, free_port
 
-from .ros_system import RosSystem, arguments_of, cpu_seconds, program
-
+PATIENCE = 300.0  # [s] time limit of each command
+CLOCK_TICKS = os.sysconf('SC_CLK_TCK')  # per second, unit of the times in /proc
 Q_TABLE = REPOSITORY / 'config' / 'q_tables' / 'anticipation.txt'
 MAX_NEIGHBOURS = 16  # those of the Q-table's model
 NODELET = ['rosrun', 'nodelet', 'nodelet']
-WARM_UP = 30  # ticks
-CROWD_TICKS = 250
-FEW_TICKS = 2500
-TRIPS = 2500
+WARM_UP, CROWD_TICKS, FEW_TICKS, TRIPS = 30, 250, 2500, 2500  # ticks; round trips
 REAL_TIME = 10.0  # [s]
 ROUNDS = 7  # the best of them counts, as it is the least disturbed one
+
+
+def program(name):
+    return programs_in(build_folder() / 'devel') / name
+
+
+class RosSystem:
+    """Context manager that starts a master and nodes, writes their output to files, and ends them all on exit."""
+
+    def __enter__(self):
+        self.folder = tempfile.TemporaryDirectory(prefix='social_crowd_bench_')
+        self.processes = []
+        port = free_port()
+        master = f'http://127.0.0.1:{port}'
+        self.environment = {**os.environ, 'ROS_MASTER_URI': master, 'ROS_HOSTNAME': '127.0.0.1',
+                            'ROS_LOG_DIR': str(self.path('logs'))}
+        self.environment.pop('ROS_NAMESPACE', None)
+        self.start('rosmaster', ['/usr/bin/rosmaster', '--core', '-p', str(port)])
+        while not rosgraph.is_master_online(master):
+            self.check()
+            time.sleep(0.05)
+        return self
+
+    def __exit__(self, *_):
+        end_all(self.processes, 10.0)
+        self.folder.cleanup()
+
+    def check(self):
+        for process in self.processes:
+            if process.poll() not in (None, 0):
+                raise RunError(f'{process.args} ended with status {process.returncode}:\n'
+                               f"{process.log.read_text(encoding='utf-8', errors='replace')}")
+
+    def path(self, name):
+        return pathlib.Path(self.folder.name) / name
+
+    def start(self, name, command):
+        """Starts a process in the package's environment; its log file is named after it."""
+        log = self.path(f'{len(self.processes)}_{name}.log')
+        with open(log, 'wb') as stream:
+            process = subprocess.Popen(wrapped(command), stdin=subprocess.DEVNULL, stdout=stream, stderr=stream,
+                                       env=self.environment)
+        process.log = log
+        self.processes.append(process)
+        return process
+
+    def start_node(self, kind, **parameters):
+        return self.start(kind, [program(kind), *arguments_of(parameters)])
+
+    def figures(self, name, *words):
+        """Runs a program of this package. Returns the numbers in the last line of its output."""
+        output = output_of(wrapped([program(name), *words]), timeout=PATIENCE, env=self.environment)
+        self.check()
+        return [float(word) for word in output.splitlines()[-1].split()]
+
+
+def wrapped(command):
+    return [str(build_folder() / 'devel' / 'env.sh'), *map(str, command)]
+
+
+def arguments_of(parameters):
+    return [f'_{name}:={value}' for name, value in parameters.items()]
+
+
+def cpu_seconds(processes):
+    """Returns the processor time that processes and all their threads have used so far [s]."""
+    stats = [pathlib.Path(f'/proc/{process.pid}/stat').read_text(encoding='utf-8') for process in processes]
+    fields = [text.rpartition(')')[2].split()[11:13] for text in stats]  # user and system
+    return sum(int(ticks) for of_process in fields for ticks in of_process) / CLOCK_TICKS
 
 
 def crowd_scenario():
@@ -42,7 +115,9 @@ def few_scenario():
 
 def controller_parameters(system, text, **others):
     """Returns the parameters of a controller with a scenario that waits for `step`."""
-    return {'scenario': system.write('scenario.yaml', text), 'real_time_factor': 'fast', 'paused': True,
+    scenario = system.path('scenario.yaml')
+    scenario.write_text(text, encoding='utf-8')
+    return {'scenario': scenario, 'real_time_factor': 'fast', 'paused': True,
             'answer_deadline': 60.0, **others}
 
 
@@ -105,5 +180,4 @@ BENCHMARKS = {'ros_lockstep_1000': lambda: lockstep(crowd_scenario(), CROWD_TICK
 
 
 def run(benchmark):
-    """Runs a benchmark. Returns its result."""
     return benchmark.result(*BENCHMARKS[benchmark.name]())

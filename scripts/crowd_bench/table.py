@@ -1,28 +1,63 @@
-"""Formats results as printed lines, as JSON, and as tables of documents, in which rows without new results are kept."""
+"""The benchmarks with their units and required values (bars); their results as printed lines, as JSON, and as tables of
+documents, in which rows without new results are kept."""
 import datetime
-import json
 import os
 import pathlib
 import re
+import typing
 
+import yaml
 from crowd_experiments.pages import Chapter, fill_document
 
-from .catalogue import BENCHMARKS, COSTS
+DECISIONS, AGENT_STEPS, TICKS, REAL_TIME, MILLISECONDS, MEGABYTES, SHARE_OF_CORE = (
+    'decisions/s', 'agent steps/s', 'ticks/s', 'x real time', 'ms', 'MB', '% of a core')
+# Units of which lower values are better; all other units are rates.
+COSTS = (MILLISECONDS, MEGABYTES, SHARE_OF_CORE)
+HEADER = ['name', 'what', 'bar', 'measured', 'from, to', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
+LINE = '{:<30} {:>22}  {:>22}  {:>8}  {}'
+HEADING = LINE.format('', 'measured', 'yardstick', 'ratio', 'bars met')
 
-NAME = 'performance'  # tables are performance/benchmarks and so on
+
+class Benchmark(typing.NamedTuple):
+    """One line of the table.
+
+    The ratio is the benchmark's time divided by the yardstick's time (rates: yardstick / value, times: value /
+    yardstick). With `ratio_is_rate` it is the benchmark's rate divided by the yardstick's rate (value / yardstick)."""
+    name: str
+    title: str
+    unit: str
+    bar: float = None
+    yardstick: str = ''  # in words; empty: none
+    ratio_bar: float = None
+    ratio_is_rate: bool = False
+    ros: bool = False  # measured through ROS
+    mpi: bool = False  # measured under mpirun
+    repetitions: int = None  # None: as requested on the command line
+
+    def ratio(self, value, yardstick):
+        return value / yardstick if self.ratio_is_rate or self.unit in COSTS else yardstick / value
+
+    def result(self, value, yardstick=None, ratio=None, spread=None):
+        """Returns the result as a dictionary.
+        @param spread lowest and highest of the repetitions, of which the value is the median"""
+        return {'name': self.name, 'value': value, 'unit': self.unit, 'spread': spread, 'yardstick': yardstick,
+                'ratio': ratio}
+
+    def clears_bar(self, result):
+        value, ratio = result['value'], result['ratio']
+        fine = self.bar is None or (value <= self.bar if self.unit in COSTS else value >= self.bar)
+        if self.ratio_bar is None:
+            return fine
+        return fine and ratio is not None and (
+            ratio >= self.ratio_bar if self.ratio_is_rate else ratio <= self.ratio_bar)
+
+
+BENCHMARKS = tuple(Benchmark(**entry) for entry in yaml.safe_load(
+    pathlib.Path(__file__).with_name('benchmarks.yaml').read_text(encoding='utf-8')))
 ROW = re.compile(r'^\| (\w+) \|(.*)\|$', re.MULTILINE)
 
 
-def benchmark_rows(results, document):
-    """Returns the rows of all benchmarks: from the results, otherwise from the document, otherwise empty."""
-    measured = {result['name']: result for result in results}
-    before = {name: [cell.strip() for cell in [name, *cells.split('|')]] for name, cells in ROW.findall(document)}
-    return [row(measured[one.name], one) if one.name in measured else
-            before.get(one.name, [one.name, one.title] + [''] * (len(HEADER) - 2)) for one in BENCHMARKS]
-
-
 def machine_text(repetitions):
-    """Returns rows that describe the machine and the measurement."""
     models = re.findall(r'^model name\s*: (.*)$', pathlib.Path('/proc/cpuinfo').read_text(encoding='utf-8'),
                         re.MULTILINE)
     model = models[0] if models else os.uname().machine
@@ -35,24 +70,19 @@ def machine_text(repetitions):
 def fill(file, results, tables, repetitions):
     """Updates tables and pictures of the document. Returns a message for each one that was not measured.
     @param tables of sweeps and profiles: (entry, header, rows, picture or None)"""
-    chapter = Chapter(NAME, 'Performance')
+    chapter = Chapter('performance', 'Performance')  # tables are performance/benchmarks and so on
     if results:
-        rows = benchmark_rows(results, file.read_text(encoding='utf-8'))
-        chapter.add_table('Benchmarks', HEADER, rows, 'benchmarks')
+        before = {name: [cell.strip() for cell in [name, *cells.split('|')]]
+                  for name, cells in ROW.findall(file.read_text(encoding='utf-8'))}  # remain without new results
+        measured = {result['name']: result for result in results}
+        chapter.add_table('Benchmarks', HEADER, [
+            row(measured[one.name], one) if one.name in measured else
+            before.get(one.name, [one.name, one.title] + [''] * (len(HEADER) - 2)) for one in BENCHMARKS], 'benchmarks')
         chapter.add_table('Measured on', ['', ''], machine_text(repetitions), 'machine')
     for entry, header, rows, picture in tables:
         chapter.add_table(entry.title, header, rows, entry.name)
-        if picture:
-            chapter.add_figure(picture, entry.title)
+        chapter.add_figure(picture, entry.title)
     return fill_document(file, [chapter])
-
-
-KEYS = ('name', 'value', 'unit', 'yardstick', 'ratio')
-HEADER = ['name', 'what', 'bar', 'measured', 'from, to', 'yardstick', 'measured', 'ratio', 'bar', 'bars are met']
-LINE = '{:<30} {:>22}  {:>22}  {:>8}  {}'
-
-
-HEADING = LINE.format('', 'measured', 'yardstick', 'ratio', 'bars met')
 
 
 def quantity(value, unit, number=None):
@@ -72,37 +102,26 @@ def spread_text(spread):
 
 
 def bar_text(number, at_most, text):
-    """Returns a bar as a text; empty if there is none."""
     return '' if number is None else f"{'≤' if at_most else '≥'} {text(number)}"
 
 
 def met_text(result, benchmark):
     """Returns whether the bars are met, as a text; empty without bars."""
-    if benchmark is None or benchmark.bar is None and benchmark.ratio_bar is None:
+    if benchmark.bar is None and benchmark.ratio_bar is None:
         return ''
     return 'yes' if benchmark.clears_bar(result) else 'no'
 
 
-def line(result, benchmark=None):
-    """Returns a result as a printed line."""
+def line(result, benchmark):
     return LINE.format(result['name'], quantity(result['value'], result['unit']),
                        quantity(result['yardstick'], result['unit']), quantity(result['ratio'], '', '.2f'),
                        met_text(result, benchmark)).rstrip()
 
 
 def row(result, benchmark):
-    """Returns a result as cells of the document's table."""
     def in_unit(value):
         return quantity(value, benchmark.unit)
     return [benchmark.name, benchmark.title, bar_text(benchmark.bar, benchmark.unit in COSTS, in_unit),
             in_unit(result['value']), spread_text(result.get('spread')), benchmark.yardstick,
             in_unit(result['yardstick']), quantity(result['ratio'], '', '.2f'),
             bar_text(benchmark.ratio_bar, not benchmark.ratio_is_rate, '{:g}'.format), met_text(result, benchmark)]
-
-
-def write_json(file, results):
-    """Writes the list of {name, value, unit, yardstick, ratio}; the file is replaced atomically."""
-    beside = file.with_name(file.name + '.new')
-    beside.write_text(json.dumps([{key: result[key] for key in KEYS} for result in results], indent=2) + '\n',
-                      encoding='utf-8')
-    os.replace(beside, file)

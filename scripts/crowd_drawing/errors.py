@@ -1,5 +1,11 @@
 """Files that programs read and write, and errors that end a program with a message."""
+import contextlib
+import os
 import pathlib
+
+import yaml
+
+LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)  # the faster implementation, if available
 
 
 def complete_lines(stream, file):
@@ -23,6 +29,26 @@ def check_output(file):
         raise InputError(f'{file}: cannot be written: it is a folder')
     if not file.parent.is_dir():
         raise InputError(f'{file}: cannot be written: there is no folder {file.parent.absolute()}')
+
+
+@contextlib.contextmanager
+def replaced(file):
+    """Gives a `with` block a file to write, which replaces the given one at its end, or is removed on failure."""
+    part = pathlib.Path(file).with_name(f'.{pathlib.Path(file).name}.part')
+    try:
+        yield part
+        os.replace(part, file)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def read_documents(file):
+    """Returns the YAML documents of a file, without empty ones. Raises InputError, OSError."""
+    text = pathlib.Path(file).read_text(encoding='utf-8', errors='replace')
+    try:
+        return [document for document in yaml.load_all(text, LOADER) if document is not None]
+    except yaml.YAMLError as error:
+        raise InputError(f"{file}: not YAML: {' '.join(str(error).split())}") from None
 
 
 class InputError(Exception):

@@ -1,44 +1,82 @@
-"""Reads scenario files and recorded trajectories for drawings."""
+"""Reads scenario files, maps in the format of map_server, and recorded trajectories for drawings."""
 import csv
 import difflib
 import math
 import pathlib
 
-import yaml
-from crowd_drawing.errors import InputError, complete_lines
-from crowd_drawing.maps import read_map
+import numpy
+from crowd_drawing.errors import InputError, complete_lines, read_documents
+from crowd_experiments.tools import find_config
+from matplotlib.transforms import Affine2D
+
+OCCUPIED_COLOUR, UNKNOWN_COLOUR, FREE_COLOUR = (70, 74, 82), (224, 226, 230), (255, 255, 255)
+HEADER = ['instance', 'tick', 'agent', 'x', 'y']
+DEFAULT_TICK = 0.1  # [s]
+DEFAULT_RADIUS = 0.25  # [m] of recorded people without a scenario
+
+
+class MapPicture:
+    """The pixels of a map in three colours, uppermost row first, with its resolution [m] and origin [x, y, yaw]."""
+
+    def __init__(self, pixels, resolution, origin):
+        self.pixels, self.resolution, self.origin = pixels, resolution, origin
+        self.size = [side * resolution for side in (pixels.shape[1], pixels.shape[0])]  # width, height [m]
+
+    def transform(self):
+        """Returns the transformation from metres in the map to metres in the scene."""
+        return Affine2D().rotate(self.origin[2]).translate(*self.origin[:2])
+
+    def corners(self):
+        return [tuple(self.transform().transform((x, y))) for x in (0, self.size[0]) for y in (0, self.size[1])]
+
+
+def read_map(file):
+    """Returns the MapPicture of a YAML file of map_server. Raises InputError if it cannot be drawn."""
+    try:
+        keys, = read_documents(file)
+        resolution, origin = float(keys['resolution']), [float(number) for number in keys['origin']]
+        thresholds = float(keys['free_thresh']), float(keys['occupied_thresh'])
+        image, negate = pathlib.Path(file).parent / keys['image'], str(keys['negate']) in ('1', 'True')
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"{file}: is not a map of map_server: {' '.join(str(error).split())}") from None
+    if not (len(origin) == 3 and all(map(math.isfinite, origin)) and 0 < resolution < math.inf):
+        raise InputError(f'{file}: expected a resolution above 0 and an origin [x, y, yaw]')
+    return MapPicture(colours_of(image, negate, *thresholds), resolution, origin)
+
+
+def colours_of(image, negate, free_threshold, occupied_threshold):
+    """Returns the pixels of an image in the colours of free, occupied and unknown cells."""
+    import PIL.Image  # needed for maps only
+    try:
+        with PIL.Image.open(image) as opened:
+            grey = numpy.asarray(opened.convert('L'), dtype=float)
+    except PIL.UnidentifiedImageError:
+        raise InputError(f'{image}: is not an image') from None
+    darkness = (grey if negate else 255.0 - grey) / 255.0
+    pixels = numpy.full(grey.shape + (3,), UNKNOWN_COLOUR, dtype=numpy.uint8)
+    pixels[darkness < free_threshold] = FREE_COLOUR
+    pixels[darkness > occupied_threshold] = OCCUPIED_COLOUR
+    return pixels
 
 
 class Population:
     """Areas of sources and sinks: their places; queues: line from the head; gates: wall, and when it is open."""
 
     def __init__(self, scene, document):
-        self.scene = scene
-        sources = scene.listed(document, 'sources')
-        for i, source in enumerate(sources):
-            scene.need(isinstance(source, dict) and 'area' in source and 'radius' in source, f'sources[{i}]',
-                       'a map with area and radius', source)
+        sources = document.get('sources') or []
         self.source_areas = [source['area'] for source in sources]
-        self.source_radii = [scene.radius(source, f'sources[{i}]') for i, source in enumerate(sources)]
-        self.sink_areas = [sink['area'] for sink in self.named(document, 'sinks', 'area')]
-        self.queues = [self.queue(queue) for queue in self.named(document, 'queues', 'head', 'direction')]
-        self.gates = [(scene.wall(gate['wall'], 'gates'), gate.get('open', False))
-                      for gate in self.named(document, 'gates', 'wall')]
+        self.source_radii = [scene.number(source['radius'], 'sources') for source in sources]
+        sinks, queues, gates = ((document.get(key) or {}).values() for key in ('sinks', 'queues', 'gates'))
+        self.sink_areas = [sink['area'] for sink in sinks]
+        self.queues = [self.queue(scene, queue) for queue in queues]
+        self.gates = [(scene.wall(gate['wall'], 'gates'), gate.get('open', False)) for gate in gates]
 
-    def named(self, document, key, *needed):
-        """Returns the values of a map of maps that have the needed keys."""
-        entries = document.get(key) or {}
-        self.scene.need(isinstance(entries, dict), key, 'a map of names', entries)
-        for name, entry in entries.items():
-            has_all = isinstance(entry, dict) and all(word in entry for word in needed)
-            self.scene.need(has_all, f'{key}.{name}', f"a map with {', '.join(needed)}", entry)
-        return list(entries.values())
-
-    def queue(self, entry):
+    @staticmethod
+    def queue(scene, entry):
         """Returns the head of a queue and the place of the fifth in line."""
-        x, y = self.scene.point(entry['head'], 'queues')
-        angle = math.radians(self.scene.number(entry['direction'], 'queues'))
-        length = 4 * self.scene.number(entry.get('spacing', 0.6), 'queues')
+        x, y = scene.point(entry['head'], 'queues')
+        angle = math.radians(scene.number(entry['direction'], 'queues'))
+        length = 4 * scene.number(entry.get('spacing', 0.6), 'queues')
         return (x, y), (x + length * math.cos(angle), y + length * math.sin(angle))
 
 
@@ -49,17 +87,8 @@ def is_open(periods, time):
     return any(begin <= time < end for begin, end in periods)
 
 
-HEADER = ['instance', 'tick', 'agent', 'x', 'y']
-DEFAULT_TICK = 0.1  # [s]
-DEFAULT_RADIUS = 0.25  # [m] of recorded people without a scenario
-HERE = pathlib.Path(__file__).resolve().parent
-# Folders that may contain config/scenarios: the source tree, and PREFIX/share for programs in PREFIX/lib/social_crowd.
-HOMES = [HERE.parents[1], HERE.parents[2] / 'share' / 'social_crowd']
-
-
 def shipped_scenarios():
-    """Returns the package's scenario files by their names."""
-    return {file.stem: file for home in HOMES for file in sorted((home / 'config' / 'scenarios').glob('*.yaml'))}
+    return {file.stem: file for file in sorted((find_config() / 'scenarios').glob('*.yaml'))}
 
 
 def find_scenario(name_or_file):
@@ -76,56 +105,75 @@ def find_scenario(name_or_file):
                      f" is no file {path.absolute()}; in config/scenarios there are {', '.join(names)}")
 
 
+def numbers_of(file, line, words, columns, expected):
+    """Returns columns of a line: whole numbers, maybe as 7.8000000e+02, and two numbers. Raises InputError."""
+    try:
+        *wholes, x, y = (float(words[column]) for column in columns)
+        if not all(map(float.is_integer, wholes)):
+            raise ValueError
+        return *map(int, wholes), x, y
+    except (ValueError, IndexError, OverflowError):
+        raise InputError(f"{file}:{line}: expected {expected}, got '{' '.join(words)}'") from None
+
+
+def collect(file, rows, person='person', frame='frame'):
+    """Returns walks, lists of (frame, x, y) by person, of rows (line, person, frame, x, y) in any order. Raises
+    InputError, which has these words for person and frame."""
+    walks = {}
+    for line, of, at, x, y in rows:
+        if min(of, at) < 0 or not (math.isfinite(x) and math.isfinite(y)):
+            raise InputError(f'{file}:{line}: expected numbers of {person} and {frame} from 0, and finite positions')
+        places = walks.setdefault(of, {})
+        if at in places:
+            raise InputError(f'{file}:{line}: {person} {of} is in {frame} {at} for the second time')
+        places[at] = (x, y)
+    if not walks:
+        raise InputError(f'{file}: has no trajectory')
+    return {of: [(at, *places[at]) for at in sorted(places)] for of, places in sorted(walks.items())}
+
+
 def read_walks(file, instance):
     """Returns the instance, by default the first, and lists of (tick, x, y) [m] by agent. Raises InputError."""
-    walks = {}
-    instances = set()
     with open(file, newline='', encoding='utf-8', errors='replace') as stream:
-        rows = csv.reader(complete_lines(stream, file))
-        if next(rows, None) != HEADER:
+        lines = csv.reader(complete_lines(stream, file))
+        if next(lines, None) != HEADER:
             raise InputError(f"{file}:1: expected the header {','.join(HEADER)}")
-        for row in rows:
-            try:
-                row_instance, tick, agent = map(int, row[:3])
-                x, y = map(float, row[3:])
-            except ValueError:
-                raise InputError(f"{file}:{rows.line_num}: expected three whole numbers and two numbers, "
-                                 f"got '{','.join(row)}'") from None
-            if min(row_instance, tick, agent) < 0 or not (math.isfinite(x) and math.isfinite(y)):
-                raise InputError(f"{file}:{rows.line_num}: negative or not finite: '{','.join(row)}'")
-            instances.add(row_instance)
-            if instance is None:
-                instance = row_instance
-            if row_instance == instance:
-                places = walks.setdefault(agent, {})
-                if tick in places:
-                    raise InputError(f'{file}:{rows.line_num}: agent {agent} is in tick {tick} for the second time')
-                places[tick] = (x, y)
-    if not instances:
-        raise InputError(f'{file}: has no trajectory')
-    if not walks:
-        least, most = min(instances), max(instances)
-        expected = least if least == most else f'{least} to {most}'
+        rows = [(lines.line_num, *numbers_of(file, lines.line_num, words, range(len(words)) if len(words) == 5 else [0],
+                                             'three whole numbers and two numbers')) for words in lines]
+    instances = sorted({of for _, of, *_ in rows})
+    if instance is None and rows:
+        instance = rows[0][1]
+    if rows and instance not in instances:
+        expected = ' to '.join(dict.fromkeys(map(str, (instances[0], instances[-1]))))
         raise InputError(f'{file}: has no instance {instance}, expected {expected}')
-    return instance, {agent: [(tick, *places[tick]) for tick in sorted(places)] for agent, places in walks.items()}
+    return instance, collect(file, [(line, agent, tick, x, y) for line, of, tick, agent, x, y in rows
+                                    if of == instance], 'agent', 'tick')
 
 
 class Scene:
-    """Agents, obstacles and walls of a scenario document, as far as they can be drawn."""
+    """Agents, obstacles, robots and walls of a scenario document, as far as they can be drawn. Only what is drawn is
+    checked: `evaluate` names the place of any other mistake."""
 
     def __init__(self, document, place):
         self.place = place
-        self.need(isinstance(document, dict), '', 'a map', document)
-        thesis = document.get('units') == 'thesis'
+        self.map = None  # MapPicture
+        try:
+            self.read(document)
+        except KeyError as error:
+            raise InputError(f'{place}: the key {error} is missing') from None
+        except (AttributeError, TypeError, ValueError) as error:
+            raise InputError(f'{place}: is not a scenario that `evaluate` reads: {error}') from None
+
+    def read(self, document):
         self.tick = self.number(document.get('tick', DEFAULT_TICK), 'tick')  # [s]
         self.need(self.tick > 0, 'tick', 'a number above 0', self.tick)
-        self.speed_unit = 1.0 / self.tick if thesis else 1.0  # [m/s]
+        self.speed_unit = 1.0 / self.tick if document.get('units') == 'thesis' else 1.0  # [m/s]
         self.name = str(document.get('name', ''))
-        self.agents = self.entries(document, 'agents', self.agent)
-        self.obstacles = self.entries(document, 'obstacles', self.obstacle)
-        self.robots = [self.robot(robot, f'robots[{i}]') for i, robot in enumerate(self.listed(document, 'robots'))]
-        self.walls = [self.wall(wall, f'walls[{i}]') for i, wall in enumerate(self.listed(document, 'walls'))]
-        self.map = None  # MapPicture
+        self.agents, self.obstacles, self.robots = (
+            [body for i, entry in enumerate(document.get(key) or [])
+             for body in [read(entry, f'{key}[{i}]')] * entry.get('count', 1)]
+            for key, read in (('agents', self.agent), ('obstacles', self.obstacle), ('robots', self.robot)))
+        self.walls = [self.wall(wall, f'walls[{i}]') for i, wall in enumerate(document.get('walls') or [])]
         self.population = Population(self, document)
 
     def radius_of(self, agent):
@@ -135,12 +183,7 @@ class Scene:
 
     def need(self, condition, where, expected, got):
         if not condition:
-            raise InputError(f"{self.place}: {where + ': ' if where else ''}expected {expected}, got {got!r}")
-
-    def listed(self, document, key):
-        value = document.get(key) or []
-        self.need(isinstance(value, list), key, 'a list', value)
-        return value
+            raise InputError(f'{self.place}: {where}: expected {expected}, got {got!r}')
 
     def number(self, value, where):
         """Returns a number, or the mean of a range [low, high]."""
@@ -163,32 +206,11 @@ class Scene:
         found = [self.point(element, where) for element in (value if is_list else [value])]
         return [point for point in found if point is not None]
 
-    def entries(self, document, key, read):
-        """Reads a list of entries; an entry with `count` stands for several bodies."""
-        bodies = []
-        for i, entry in enumerate(self.listed(document, key)):
-            where = f'{key}[{i}]'
-            self.need(isinstance(entry, dict), where, 'a map', entry)
-            for needed in ('position', 'radius'):
-                self.need(needed in entry, where, f'a {needed}', entry)
-            count = entry.get('count', 1)
-            self.need(isinstance(count, int) and count >= 0, f'{where}.count', 'a whole number', count)
-            bodies += [read(entry, where)] * count
-        return bodies
-
-    def radius(self, entry, where):
-        radius = self.number(entry['radius'], f'{where}.radius')
-        self.need(radius > 0, f'{where}.radius', 'a number above 0', radius)
-        return radius
-
     def agent(self, entry, where):
-        goal = entry.get('goals', entry.get('goal'))
-        if 'route' in entry:
-            goal = {}
-        self.need(goal is not None, where, 'a goal', entry)
+        goal = {} if 'route' in entry else entry['goals'] if 'goals' in entry else entry['goal']
         mirror = goal.get('opposite') if isinstance(goal, dict) else None
         return {
-            'radius': self.radius(entry, where),
+            'radius': self.number(entry['radius'], f'{where}.radius'),
             'speed': self.number(entry.get('speed', 0), f'{where}.speed') * self.speed_unit,
             'goals': self.points(goal, f'{where}.goal'),
             # Centre of a goal that lies opposite the start.
@@ -199,7 +221,7 @@ class Scene:
         velocity = self.point(entry.get('velocity', [0, 0]), f'{where}.velocity') or (0, 0)
         return {
             'position': self.point(entry['position'], f'{where}.position'),
-            'radius': self.radius(entry, where),
+            'radius': self.number(entry['radius'], f'{where}.radius'),
             'velocity': (velocity[0] * self.speed_unit, velocity[1] * self.speed_unit),
             'to_and_fro': self.points(entry.get('to_and_fro', {}), f'{where}.to_and_fro'),
             'waypoints': self.points(entry.get('waypoints', {}), f'{where}.waypoints'),
@@ -208,39 +230,45 @@ class Scene:
 
     def robot(self, entry, where):
         """Reads a robot: its place and heading at the start [rad], and the radius of a disc that contains it."""
-        self.need(isinstance(entry, dict), where, 'a map', entry)
-        for needed in ('position', 'footprint' if 'footprint' in entry else 'radius'):
-            self.need(needed in entry, where, f'a {needed}', entry)
         heading = entry.get('heading', 0)
         radians = heading.get('radians') if isinstance(heading, dict) else None  # as `evaluate --scenes` writes it
         corners = self.points(entry.get('footprint', {}), f'{where}.footprint')
         return {
             'position': self.point(entry['position'], f'{where}.position'),
             'heading': math.radians(self.number(heading, f'{where}.heading')) if radians is None else radians,
-            'radius': max(math.hypot(*corner) for corner in corners) if corners else self.radius(entry, where),
+            'radius': max(math.hypot(*corner) for corner in corners) if corners else
+            self.number(entry['radius'], f'{where}.radius'),
         }
 
     def wall(self, wall, where):
-        self.need(isinstance(wall, list) and len(wall) == 2, where, '[[x1, y1], [x2, y2]]', wall)
-        ends = [self.point(end, where) for end in wall]
-        self.need(None not in ends, where, '[[x1, y1], [x2, y2]]', wall)
-        return ends
+        return [self.point(end, where) for end in wall]
 
 
 def read_scene(file, instance):
     """Reads the document of an instance; documents are repeated if there are fewer documents than instances."""
-    loader = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)
-    try:
-        with open(file, encoding='utf-8', errors='replace') as stream:
-            documents = [document for document in yaml.load_all(stream, loader) if document is not None]
-    except yaml.YAMLError as error:
-        raise InputError(f"{file}: not YAML: {' '.join(str(error).split())}") from None
+    documents = read_documents(file)
     if not documents:
         raise InputError(f'{file}: has no scenario')
     index = instance % len(documents)
     scene = Scene(documents[index], f'{file}: document {index + 1}')
     if 'map' in documents[index]:
-        name = documents[index]['map']
-        scene.need(isinstance(name, str) and name, 'map', 'the file of a map', name)
-        scene.map = read_map(pathlib.Path(file).parent / name)
+        scene.map = read_map(pathlib.Path(file).parent / documents[index]['map'])
     return scene
+
+
+def place_of(obstacle, time):
+    """Returns the centre of an obstacle at a time after the start of the episode [s]."""
+    x, y = obstacle['position']
+    if obstacle['to_and_fro']:
+        there = [(x, y)] + obstacle['to_and_fro']
+        return along(there + there[-2::-1], obstacle['speed'] * time)
+    if obstacle['waypoints']:
+        return along([(x, y)] + obstacle['waypoints'] + [(x, y)], obstacle['speed'] * time)
+    return x + obstacle['velocity'][0] * time, y + obstacle['velocity'][1] * time
+
+
+def along(points, distance):
+    """Returns the point at a distance along a closed path [m], which is repeated."""
+    points = numpy.array(points)
+    passed = numpy.cumsum([0.0, *numpy.hypot(*numpy.diff(points, axis=0).T)])
+    return tuple(float(numpy.interp(distance % passed[-1], passed, axis)) for axis in points.T)

@@ -3,22 +3,13 @@ import sys
 
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import find_scenario, read_scene, read_walks
-from crowd_drawing.picture import PATH_OF_MOMENT, Picture, colours_of
-from crowd_drawing.surroundings import draw_surroundings
+from crowd_drawing.picture import PATH_OF_MOMENT, Picture, colours_of, draw_surroundings
 from crowd_experiments.arguments import at_least_zero, parser_of, whole
 
 EXAMPLES = '''examples:
   rosrun social_crowd evaluate --q-table config/q_tables/human.txt --trajectories recordings place_corner
   rosrun social_crowd plot_paths --trajectories recordings/place_corner.csv --scenario place_corner --output paths.png
-  rosrun social_crowd plot_paths --trajectories recordings/circle6.csv --scenario circle6 --moment 6 --output 6s.png
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
-
-
-def has_all(scene):
-    """Returns whether the places of all goals and obstacles are known; those that are drawn at random are unknown."""
-    return all(body['goals'] or body['mirror'] for body in scene.agents) and \
-        all(obstacle['position'] for obstacle in scene.obstacles)
+  rosrun social_crowd plot_paths --trajectories recordings/circle6.csv --scenario circle6 --moment 6 --output 6s.png'''
 
 
 def draw(scene, walks, file, title, moment):
@@ -28,29 +19,23 @@ def draw(scene, walks, file, title, moment):
     draw_surroundings(picture, scene, last_tick * scene.tick if moment is None else moment)
     for obstacle in scene.obstacles:
         picture.draw_obstacle(obstacle, last_tick * scene.tick)
-    for wall in scene.walls:
-        picture.draw_wall(wall)
     colours = colours_of(max(max(walks) + 1, len(scene.agents)))
     for agent, walk in sorted(walks.items()):
+        radius, colour = scene.radius_of(agent), colours[agent]
         if moment is not None:
-            picture.draw_moment(walk, round(moment / scene.tick), round(PATH_OF_MOMENT / scene.tick),
-                                scene.radius_of(agent), colours[agent])
+            picture.draw_moment(walk, round(moment / scene.tick), round(PATH_OF_MOMENT / scene.tick), radius, colour)
             continue
-        if agent >= len(scene.agents):
-            picture.draw_walk(walk, scene.radius_of(agent), max(1, round(1.0 / scene.tick)), colours[agent])
-            continue
-        body = scene.agents[agent]
-        goals = body['goals']
-        if body['mirror'] is not None:
-            _, x, y = walk[0]
-            goals = [(2 * body['mirror'][0] - x, 2 * body['mirror'][1] - y)]
-        picture.draw_goals(goals, body['radius'], colours[agent])
-        picture.draw_walk(walk, body['radius'], max(1, round(1.0 / scene.tick)), colours[agent])
+        if agent < len(scene.agents):
+            goals, mirror = scene.agents[agent]['goals'], scene.agents[agent]['mirror']
+            if mirror is not None:
+                goals = [(2 * mirror[0] - walk[0][1], 2 * mirror[1] - walk[0][2])]
+            picture.draw_goals(goals, radius, colour)
+        picture.draw_walk(walk, radius, max(1, round(1.0 / scene.tick)), colour)
     picture.add_legend(scene, moment is not None)
     picture.save(file, title)
 
 
-def parse_arguments(words):
+def main(words=None):
     parser = parser_of('plot_paths', __doc__, EXAMPLES)
     parser.add_argument('--trajectories', required=True, metavar='FILE.csv', help='recorded episodes')
     parser.add_argument('--scenario', required=True, metavar='SCENARIO',
@@ -60,19 +45,15 @@ def parse_arguments(words):
                         help='draw the people as they are at this time [s], with their last steps')
     parser.add_argument('--output', required=True, metavar='FILE', help='picture, such as paths.png or paths.pdf')
     parser.add_argument('--title', help="title of the picture (default: the scenario's name)")
-    return parser.parse_args(words)
-
-
-def main(words=None):
-    """Runs the program with command line words."""
-    arguments = parse_arguments(words)
+    arguments = parser.parse_args(words)
     instance, walks = read_walks(arguments.trajectories, arguments.instance)
     scene = read_scene(find_scenario(arguments.scenario), instance)
     if max(walks) >= len(scene.agents) and not scene.population.source_areas:
         raise InputError(f'{arguments.trajectories}: instance {instance} has an agent {max(walks)}, but '
                          f'{scene.place} has {len(scene.agents)} agents, counted from 0')
     draw(scene, walks, arguments.output, arguments.title or scene.name, arguments.moment)
-    if arguments.moment is None and not has_all(scene):
+    places = [*(body['goals'] or body['mirror'] for body in scene.agents),
+              *(obstacle['position'] for obstacle in scene.obstacles)]
+    if arguments.moment is None and not all(places):
         print('plot_paths: goals or obstacles that were drawn at random are not in the picture; `evaluate --scenes '
-              'DIR` '
-              'writes a scenario file with the drawn values, for the option --scenario', file=sys.stderr)
+              'DIR` writes a scenario file with the drawn values, for the option --scenario', file=sys.stderr)

@@ -1,19 +1,22 @@
-"""A drawing of a scene in metres."""
+"""A drawing of a scene in metres, and of what surrounds a crowd: maps, walls, places to come and leave, queues."""
 import colorsys
 import math
 
 import matplotlib
+import numpy
+from crowd_drawing.files import is_open
 
 matplotlib.use('Agg')
 from matplotlib import pyplot  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
-from matplotlib.patches import Circle, FancyArrowPatch  # noqa: E402
+from matplotlib.patches import Circle, FancyArrowPatch, Patch, Rectangle  # noqa: E402
 from matplotlib.patheffects import Normal, Stroke  # noqa: E402
 from matplotlib.transforms import ScaledTranslation  # noqa: E402
 
 LONGER_SIDE = 7.0  # of the axes [inch]
 MARGIN = 0.5  # of the picture around its contents [m]
 OBSTACLE_COLOUR = '0.62'
+SOURCE_COLOUR, SINK_COLOUR, GATE_COLOUR = '#8ecbf5', '#a5dba0', '#e07b00'
 START_ALPHA = 0.55
 PATH_OF_MOMENT = 10.0  # [s]
 # Strong colours that are easy to distinguish, without grey.
@@ -28,21 +31,25 @@ def colours_of(count):
     return [colorsys.hls_to_rgb((0.58 + golden * i) % 1.0, (0.32, 0.44, 0.56)[i % 3], 0.75) for i in range(count)]
 
 
+def mark_of(label, colour, size=10, marker='o', **style):
+    """Returns an entry of a legend."""
+    return Line2D([], [], linestyle='', marker=marker, color=colour, markersize=size, label=label, **style)
+
+
 class Picture:
     """A drawing in metres whose limits grow with its contents; in its own figure, or in given axes."""
 
     def __init__(self, axes=None):
         self.figure, self.axes = (axes.figure, axes) if axes is not None else pyplot.subplots()
-        self.low = [math.inf, math.inf]
-        self.high = [-math.inf, -math.inf]
+        self.low, self.high = numpy.full(2, math.inf), numpy.full(2, -math.inf)
         self.has_goals = self.has_obstacles = False
         self.further_entries = []  # of the legend
 
-    def show(self, point, radius=0.0):
-        """Extends the limits of the picture to include a disc."""
-        for axis in (0, 1):
-            self.low[axis] = min(self.low[axis], point[axis] - radius)
-            self.high[axis] = max(self.high[axis], point[axis] + radius)
+    def show(self, points, radius=0.0):
+        """Extends the limits of the picture to include a disc at a point, or at several."""
+        points = numpy.reshape(points, (-1, 2))
+        self.low = numpy.min([self.low, *(points - radius)], axis=0)
+        self.high = numpy.max([self.high, *(points + radius)], axis=0)
 
     def disc(self, centre, radius, **style):
         self.axes.add_patch(Circle(centre, radius, **style))
@@ -57,7 +64,6 @@ class Picture:
         if start is None:
             return
         self.has_obstacles = True
-        self.show(start, radius)
         self.disc(start, radius, facecolor=OBSTACLE_COLOUR, edgecolor='0.35', linewidth=0.8, zorder=1)
         velocity = obstacle['velocity']
         if velocity != (0, 0):
@@ -65,18 +71,15 @@ class Picture:
             self.disc(end, radius, fill=False, edgecolor='0.35', linestyle='--', linewidth=0.8, zorder=1)
             self.arrow(start, end, '-|>')
         stops = [start] + obstacle['to_and_fro']
+        self.show(stops + obstacle['waypoints'], radius)
         for here, there in zip(stops, stops[1:]):
             self.arrow(here, there, '<|-|>')
-            self.show(there, radius)
         stops = [start] + obstacle['waypoints'] + [start]
-        if len(stops) > 2:
-            for here, there in zip(stops, stops[1:]):
-                self.arrow(here, there, '-|>', linestyle='--' if there is start else '-')
-                self.show(there, radius)
+        for here, there in zip(stops, stops[1:]) if len(stops) > 2 else []:
+            self.arrow(here, there, '-|>', linestyle='--' if there is start else '-')
 
     def draw_wall(self, wall):
-        for end in wall:
-            self.show(end)
+        self.show(wall)
         self.axes.plot(*zip(*wall), color='black', linewidth=3, solid_capstyle='round', zorder=3)
 
     def draw_goals(self, goals, radius, colour):
@@ -93,8 +96,7 @@ class Picture:
         """Draws the path with a dot each second, the body at its start, and the outline of the body at its end."""
         places = [(x, y) for _, x, y in walk]
         dots = [(x, y) for tick, x, y in walk if tick % ticks_per_dot == 0]
-        for place in places:
-            self.show(place, radius)
+        self.show(places, radius)
         self.axes.plot(*zip(*places), color=colour, linewidth=1.6, solid_joinstyle='round', zorder=5)
         if dots:
             self.axes.plot(*zip(*dots), linestyle='', marker='o', color=colour, markersize=3.2, zorder=6)
@@ -104,32 +106,25 @@ class Picture:
     def draw_moment(self, walk, tick, ticks_of_path, radius, colour):
         """Draws the body at a tick if the agent is in the world then, and its path in the ticks before."""
         places = [(x, y) for at, x, y in walk if tick - ticks_of_path <= at <= tick]
-        for place in places:
-            self.show(place, radius)
+        self.show(places, radius)
         if places:
             self.axes.plot(*zip(*places), color=colour, linewidth=0.9, alpha=0.6, zorder=5)
         if places and walk[-1][0] >= tick:
             self.disc(places[-1], radius, facecolor=colour, edgecolor='black', linewidth=0.4, zorder=7)
 
     def add_legend(self, scene, is_moment=False):
-        """Adds a legend for the contents of the picture."""
         grey = '0.25'
         entries = [
-            Line2D([], [], linestyle='', marker='o', color=grey, markersize=7, label='person'),
+            mark_of('person', grey, 7),
             Line2D([], [], color=grey, alpha=0.6, linewidth=0.9, label=f'path of the last {PATH_OF_MOMENT:g} s'),
         ] if is_moment else [
-            Line2D([], [], linestyle='', marker='o', color=grey, alpha=START_ALPHA, markersize=10, label='start'),
+            mark_of('start', grey, alpha=START_ALPHA),
             Line2D([], [], marker='o', color=grey, markersize=3.2, linewidth=1.6, label='path, a dot each second'),
-            Line2D([], [], linestyle='', marker='o', color=grey, fillstyle='none', markersize=10, label='end'),
+            mark_of('end', grey, fillstyle='none'),
         ]
-        if self.has_goals:
-            entries.append(Line2D([], [], linestyle='', marker='x', color=grey, markersize=8, markeredgewidth=2,
-                                  label='goal'))
-        if self.has_obstacles:
-            entries.append(Line2D([], [], linestyle='', marker='o', color=OBSTACLE_COLOUR, markeredgecolor='0.35',
-                                  markersize=10, label='obstacle'))
-        if scene.walls:
-            entries.append(Line2D([], [], color='black', linewidth=3, label='wall'))
+        entries += [mark_of('goal', grey, 8, marker='x', markeredgewidth=2)] if self.has_goals else []
+        entries += [mark_of('obstacle', OBSTACLE_COLOUR, markeredgecolor='0.35')] if self.has_obstacles else []
+        entries += [Line2D([], [], color='black', linewidth=3, label='wall')] if scene.walls else []
         entries += self.further_entries
         below_labels = ScaledTranslation(0, -0.45, self.figure.dpi_scale_trans)  # [inch]
         self.axes.legend(handles=entries, loc='upper center', bbox_to_anchor=(0.5, 0), ncol=len(entries),
@@ -138,17 +133,53 @@ class Picture:
 
     def frame(self):
         """Sets the limits so that everything is within them; returns width and height [m]."""
-        axes = self.axes
-        axes.set_xlim(self.low[0] - MARGIN, self.high[0] + MARGIN)
-        axes.set_ylim(self.low[1] - MARGIN, self.high[1] + MARGIN)
-        axes.set_aspect('equal')
-        axes.grid(color='0.92', linewidth=0.8)
-        axes.set_axisbelow(True)
-        return [self.high[axis] - self.low[axis] + 2 * MARGIN for axis in (0, 1)]
+        xlim, ylim = zip(self.low - MARGIN, self.high + MARGIN)
+        self.axes.set(xlim=xlim, ylim=ylim, aspect='equal', axisbelow=True)
+        self.axes.grid(color='0.92', linewidth=0.8)
+        return self.high - self.low + 2 * MARGIN
 
     def save(self, file, title):
         size = self.frame()
         self.axes.set(title=title, xlabel='x [m]', ylabel='y [m]')
-        scale = LONGER_SIDE / max(size)
-        self.figure.set_size_inches(size[0] * scale + 1.5, size[1] * scale + 1.5)
+        self.figure.set_size_inches(LONGER_SIDE / max(size) * size + 1.5)
         self.figure.savefig(file, dpi=150, bbox_inches='tight')
+
+
+def draw_surroundings(picture, scene, time):
+    """Draws everything but agents, robots and obstacles; gates as they are at a time [s], none if it is None."""
+    population = scene.population
+    if scene.map is not None:
+        picture.show(scene.map.corners())
+        width, height = scene.map.size
+        picture.axes.imshow(scene.map.pixels, extent=(0, width, 0, height), interpolation='nearest', zorder=0.6,
+                            transform=scene.map.transform() + picture.axes.transData)
+    for wall in scene.walls:
+        picture.draw_wall(wall)
+    for areas, colour, name in ((population.source_areas, SOURCE_COLOUR, 'people come'),
+                                (population.sink_areas, SINK_COLOUR, 'people leave')):
+        for area in areas:
+            draw_area(picture, area, colour)
+        if areas:
+            picture.further_entries.append(Patch(facecolor=colour, label=name))
+    for head, last in population.queues:
+        picture.axes.plot(*zip(head, last), color='0.45', linewidth=1, linestyle=':', zorder=3)
+        picture.disc(head, 0.12, facecolor='0.45', zorder=3)
+    if population.queues:
+        picture.further_entries.append(Line2D([], [], color='0.45', marker='o', markersize=4, linestyle=':',
+                                              label='queue'))
+    for wall, periods in population.gates if time is not None else []:
+        style = (0, (1, 2)) if is_open(periods, time) else '-'
+        picture.axes.plot(*zip(*wall), color=GATE_COLOUR, linewidth=2.5, linestyle=style, zorder=4)
+    if population.gates:
+        picture.further_entries.append(Line2D([], [], color=GATE_COLOUR, linewidth=2.5, label='gate (dotted: open)'))
+
+
+def draw_area(picture, area, colour):
+    """Draws the area of a source or a sink, except for points."""
+    if 'box' in area:
+        (left, bottom), (right, top) = area['box']
+        picture.axes.add_patch(Rectangle((left, bottom), right - left, top - bottom, facecolor=colour, zorder=1))
+    elif 'ring' in area:
+        radius = area['ring']['radius']
+        picture.axes.add_patch(Circle(area['ring']['centre'], max(radius) if isinstance(radius, list) else radius,
+                                      facecolor=colour, zorder=1))

@@ -4,6 +4,8 @@ import math
 import os
 import pathlib
 
+STATUSES = '0 success, 1 an error, 2 wrong usage, 130 interrupted.'
+
 
 def number_type(kind, fits, expected):
     """Returns a type for argparse: a number that fits."""
@@ -25,14 +27,13 @@ above_zero = number_type(float, lambda number: 0 < number < math.inf, 'a number 
 pixels = number_type(int, lambda number: 320 <= number <= 4000, 'a whole number from 320 to 4000')
 
 
-def parser_of(name, description, epilog=None):
-    """Returns a parser whose help keeps the line breaks of these texts."""
-    return argparse.ArgumentParser(prog=name, description=description, epilog=epilog,
+def parser_of(name, description, epilog, statuses=STATUSES):
+    """Returns a parser whose help keeps the line breaks of these texts, and ends with the exit statuses."""
+    return argparse.ArgumentParser(prog=name, description=description, epilog=f'{epilog}\n\nExit status: {statuses}',
                                    formatter_class=argparse.RawDescriptionHelpFormatter)
 
 
 def add_file(parser, name, **options):
-    """Adds an option or argument that is a file or folder."""
     parser.add_argument(name, type=pathlib.Path, **{'metavar': 'FILE', **options})
 
 

@@ -2,7 +2,6 @@
 import csv
 import importlib
 import signal
-import subprocess
 import sys
 
 from crowd_drawing.errors import InputError, problem_of
@@ -11,7 +10,6 @@ EXIT_FINE, EXIT_FAILED, EXIT_USAGE, EXIT_INTERRUPTED = 0, 1, 2, 130
 
 
 def interrupt(_signal, _frame):
-    """Handles SIGTERM as Ctrl-C."""
     raise KeyboardInterrupt
 
 
@@ -23,7 +21,7 @@ def run_program(name, module):
     except KeyboardInterrupt as stop:
         print(f'{name}: interrupted{"".join(stop.args)}', file=sys.stderr)
         return EXIT_INTERRUPTED
-    except (InputError, OSError, ValueError, csv.Error, subprocess.CalledProcessError) as error:
+    except (InputError, OSError, ValueError, csv.Error) as error:
         print(f'{name}: {problem_of(error)}', file=sys.stderr)
         return EXIT_FAILED
 

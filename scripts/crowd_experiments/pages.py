@@ -6,6 +6,7 @@ import pathlib
 import re
 import shutil
 import textwrap
+import typing
 
 MARKS = re.compile(r'(<!-- table ([\w/]+) -->\n).*?(<!-- end -->)', re.DOTALL)
 PICTURES = re.compile(r'!\[[^\]]*\]\(images/(\w+\.png)\)')
@@ -13,8 +14,7 @@ LONGEST_CELL = 80  # [characters] of a printed table
 TEMPLATE = pathlib.Path(__file__).with_name('page.html')
 
 
-@dataclasses.dataclass(frozen=True)
-class Table:
+class Table(typing.NamedTuple):
     """Rows of texts under a header; the first column names the row. By its name a document refers to it."""
     title: str
     header: list
@@ -22,12 +22,10 @@ class Table:
     name: str = ''
 
     def markdown(self):
-        """Returns the table in Markdown, without its title."""
         lines = [f"| {' | '.join(row)} |" for row in (self.header, *self.rows)]
         return '\n'.join([lines[0], '|---' * len(self.header) + '|', *lines[1:], ''])
 
     def print(self):
-        """Prints the table; long texts are wrapped."""
         rows = [[textwrap.wrap(cell, LONGEST_CELL) for cell in row] for row in (self.header, *self.rows)]
         widths = [max(len(line) for row in rows for line in row[i] or ['']) for i in range(len(self.header))]
         print(f'\n{self.title}')
@@ -37,8 +35,7 @@ class Table:
                                 for i, (cell, width) in enumerate(zip(line, widths))).rstrip())
 
 
-@dataclasses.dataclass(frozen=True)
-class Figure:
+class Figure(typing.NamedTuple):
     """A picture with its caption."""
     file: pathlib.Path
     caption: str
@@ -63,13 +60,13 @@ class Chapter:
         self.parts.append(Table(title, header, rows, name))
 
     def add_figure(self, file, caption):
-        self.parts.append(Figure(file, caption))
+        """Adds a picture, if there is one."""
+        self.parts += [Figure(file, caption)] if file else []
 
     def tables(self):
         return [part for part in self.parts if isinstance(part, Table)]
 
     def markdown(self):
-        """Returns texts and tables in Markdown."""
         parts = [f'{part.title}:\n\n{part.markdown()}\n' if isinstance(part, Table) else f'{part}\n\n'
                  for part in self.parts if not isinstance(part, Figure)]
         return ''.join([f'# {self.title}\n\n', *parts])

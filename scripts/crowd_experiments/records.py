@@ -1,11 +1,14 @@
-"""Reads the files of the tools: records, trajectories, Q-tables; rates and spreads of their values."""
+"""Files of the tools (records, trajectories, Q-tables); rates, spreads and confidence intervals of their values."""
 import csv
 import itertools
+import math
 
 import numpy
 from crowd_drawing.errors import InputError, complete_lines, ended_lines
 
 TEXTS = ('scenario', 'robot')
+LEVEL = 0.95
+RESAMPLES = 2000
 
 
 def read_csv(file, grows=False):
@@ -17,21 +20,16 @@ def read_csv(file, grows=False):
         names = next(rows, None)
         if names is None:
             raise InputError(f'{file}: expected a header, got an empty file')
-        columns = list(zip(*complete_rows(rows, file, len(names)))) or [()] * len(names)
+        values = []
+        for row in rows:
+            if len(row) != len(names):
+                raise InputError(f'{file}:{rows.line_num}: expected {len(names)} values, got {len(row)}')
+            values.append(row)
     return {name: list(column) if name in TEXTS else numbers_of(column, file, name)
-            for name, column in zip(names, columns)}
-
-
-def complete_rows(rows, file, count):
-    """Yields the rows of a csv.reader, each of which must have this number of values."""
-    for row in rows:
-        if len(row) != count:
-            raise InputError(f'{file}:{rows.line_num}: expected {count} values, got {len(row)}')
-        yield row
+            for name, column in zip(names, zip(*values) if values else [()] * len(names))}
 
 
 def numbers_of(column, file, name):
-    """Returns a column as an array of numbers."""
     numbers = numpy.empty(len(column))
     for i, text in enumerate(column):
         try:
@@ -64,7 +62,6 @@ def percent(flags):
 
 
 def finite(values):
-    """Returns the finite values."""
     return values[numpy.isfinite(values)]
 
 
@@ -112,7 +109,6 @@ class Spread:
 
     @classmethod
     def of_numbers(cls, values):
-        """Creates a Spread of the finite values."""
         return cls(finite(numpy.array(list(values), dtype=float)))
 
     def text(self, decimals=2, deviation=True):
@@ -122,3 +118,30 @@ class Spread:
         mean, deviated, low, high = (f'{value:.{decimals}f}' for value in
                                      (self.mean, self.deviation, self.low, self.high))
         return f'{mean} ± {deviated} ({low}-{high})' if deviation else f'{mean} ({low}-{high})'
+
+
+def t_quantile(freedom):
+    """Returns the quantile 0.975 of Student's t distribution."""
+    from scipy.special import stdtrit  # where it is needed only; scipy.stats would take a second
+    return float(stdtrit(freedom, 0.5 + LEVEL / 2))
+
+
+def mean_interval(values):
+    """Returns a mean, and low and high end of its 95 % confidence interval by Student's t; both nan with one value."""
+    values = numpy.asarray(values, dtype=float)
+    mean = float(values.mean()) if len(values) else math.nan
+    if len(values) < 2:
+        return mean, math.nan, math.nan
+    half = t_quantile(len(values) - 1) * float(values.std(ddof=1)) / math.sqrt(len(values))
+    return mean, mean - half, mean + half
+
+
+def bootstrap_difference(first, second, seed=1):
+    """Returns the difference of two means, second less first, and its 95 % interval by bootstrap percentiles: both
+    samples are drawn again with replacement. The same seed gives the same interval."""
+    first, second = (numpy.asarray(values, dtype=float) for values in (first, second))
+    random = numpy.random.default_rng(seed)
+    means = [values[random.integers(len(values), size=(RESAMPLES, len(values)))].mean(axis=1)
+             for values in (first, second)]
+    low, high = numpy.percentile(means[1] - means[0], [50 * (1 - LEVEL), 50 * (1 + LEVEL)])
+    return float(second.mean() - first.mean()), float(low), float(high)

@@ -1,6 +1,5 @@
 """Runs of the tools, each in its own folder, several in parallel, with a progress bar."""
 import concurrent.futures
-import dataclasses
 import functools
 import hashlib
 import os
@@ -12,29 +11,27 @@ import subprocess
 import sys
 import threading
 import time
+import typing
 
-import yaml
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, read_documents
 
 WIDTH = 30
 PLAIN_PERIOD = 10.0  # [s] between two lines without a terminal
+# In a run's folder: digest of commands and input files; commands, their output, processor time.
+STAMP, LOG = 'done.txt', 'log.txt'
+PROCESSOR_TIME = 'processor time'
 
 
 class ProgressBar:
     """Shows the progress of runs of different lengths, or of other things: `name` is their plural."""
 
     def __init__(self, total, runs, name='runs'):
-        self.total = total
-        self.runs = runs
-        self.name = name
-        self.done = 0.0
-        self.runs_done = 0
-        self.start = time.monotonic()
+        self.total, self.runs, self.name = total, runs, name
+        self.done, self.runs_done, self.start = 0.0, 0, time.monotonic()
         self.is_terminal = sys.stderr.isatty()
         self.next = self.start if self.is_terminal else self.start + PLAIN_PERIOD
 
     def add(self, cost):
-        """Counts a finished run."""
         self.done += cost
         self.runs_done += 1
         self.show()
@@ -54,7 +51,6 @@ class ProgressBar:
         sys.stderr.flush()
 
     def end(self):
-        """Ends the line of the bar."""
         if self.is_terminal:
             sys.stderr.write('\n')
 
@@ -64,24 +60,28 @@ def text_of(seconds):
     return f'{int(seconds) // 60}:{int(seconds) % 60:02d}'
 
 
-STAMP = 'done.txt'  # in a run's folder: digest of commands and input files
-LOG = 'log.txt'  # in a run's folder: commands, their output, processor time
-PROCESSOR_TIME = 'processor time'
-
-
 class RunError(InputError):
     """A tool has failed; the message contains the end of its output."""
 
 
-@dataclasses.dataclass(frozen=True)
-class Run:
+def output_of(command, **options):
+    """Runs a program. Returns its standard output. Raises RunError with the end of all output if it fails."""
+    words = list(map(str, command))
+    done = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
+                          encoding='utf-8', errors='replace', **options)
+    if done.returncode != 0:
+        name, lines = pathlib.Path(words[0]).name, (done.stdout + done.stderr).strip().splitlines()
+        raise RunError(f'{name}: ' + '\n'.join(lines[-20:] or ['no message']).removeprefix(f'{name}: '))
+    return done.stdout
+
+
+class Run(typing.NamedTuple):
     """Commands that are executed one after the other in a folder."""
     folder: pathlib.Path
     commands: list  # of lists of words; output files are relative to the folder
     cost: float = 1.0  # [s] approximate duration
 
     def lines(self):
-        """Returns the commands as command lines."""
         return [' '.join(map(str, command)) for command in self.commands]
 
     def stamp(self):
@@ -91,7 +91,8 @@ class Run:
             for word in map(str, command):
                 digest.update(word.encode() + b'\0')
                 for file in files_behind(pathlib.Path(word)):
-                    digest.update(digest_of(file))
+                    state = file.stat()
+                    digest.update(digest_of(file, state.st_size, state.st_mtime_ns))
         return digest.hexdigest()
 
     def is_done(self):
@@ -117,21 +118,14 @@ def files_behind(path):
 @functools.lru_cache(maxsize=None)
 def scenarios_of(config):
     """Returns the scenarios of a training configuration; an empty list for a scenario file."""
-    with open(config, encoding='utf-8') as stream:
-        training = (next(yaml.safe_load_all(stream)) or {}).get('training', {})
-    return [config.parent / name for name in training.get('scenarios', [])]
+    training = [document['training'] for document in read_documents(config)[:1] if 'training' in document]
+    return [config.parent / name for keys in training for name in keys.get('scenarios', [])]
 
 
-digests = {}  # by file, size and time of modification, so that programs are read once
-
-
-def digest_of(file):
-    """Returns a digest of the contents of a file."""
-    state = os.stat(file)
-    key = (str(file), state.st_size, state.st_mtime_ns)
-    if key not in digests:
-        digests[key] = hashlib.sha256(pathlib.Path(file).read_bytes()).digest()
-    return digests[key]
+@functools.lru_cache(maxsize=None)
+def digest_of(file, _size, _time):
+    """Returns a digest of the contents of a file, which is read once while its size and time are the same."""
+    return hashlib.sha256(file.read_bytes()).digest()
 
 
 class Runner:
@@ -150,24 +144,22 @@ class Runner:
         with concurrent.futures.ThreadPoolExecutor(self.processes) as pool:
             futures = {pool.submit(self.carry_out_one, run): run for run in runs}
             try:
-                for future in self.as_they_end(futures, bar):
-                    future.result()
-                    bar.add(futures[future].cost)
+                waiting = set(futures)
+                while waiting:
+                    done, waiting = concurrent.futures.wait(waiting, 1.0, concurrent.futures.FIRST_COMPLETED)
+                    bar.show()
+                    for future in done:
+                        future.result()
+                        bar.add(futures[future].cost)
             except BaseException:
-                self.stop()
+                with self.lock:
+                    self.stopped = True  # starts no others
+                    for child in self.children:
+                        child.send_signal(signal.SIGINT)
                 pool.shutdown(cancel_futures=True)
                 raise
             finally:
                 bar.end()
-
-    @staticmethod
-    def as_they_end(futures, bar):
-        """Yields finished runs, and updates the progress bar."""
-        waiting = set(futures)
-        while waiting:
-            done, waiting = concurrent.futures.wait(waiting, 1.0, concurrent.futures.FIRST_COMPLETED)
-            bar.show()
-            yield from done
 
     def carry_out_one(self, run):
         """Executes a run in an empty folder; the stamp is written when it is complete."""
@@ -196,14 +188,8 @@ class Runner:
                 self.children.discard(child)
             log.write(f'{PROCESSOR_TIME}: {usage.ru_utime + usage.ru_stime:.2f} s\n')
         if child.returncode != 0:
-            raise RunError(f'{" ".join(command)}: exit status {child.returncode}\n{tail_of(folder / LOG)}')
-
-    def stop(self):
-        """Interrupts all running programs and starts no others."""
-        with self.lock:
-            self.stopped = True
-            for child in self.children:
-                child.send_signal(signal.SIGINT)
+            lines = re.split(r'[\r\n]+', (folder / LOG).read_text(encoding='utf-8', errors='replace').strip())
+            raise RunError('\n'.join([f'{" ".join(command)}: exit status {child.returncode}', *lines[-5:]]))
 
 
 def execute_left(runs, processes, force=False):
@@ -216,8 +202,7 @@ def execute_left(runs, processes, force=False):
             Runner(processes).carry_out(left)
     except KeyboardInterrupt:
         print(f'Interrupted: {sum(run.is_done() for run in runs)} of {len(runs)} runs are done and kept; the same '
-              f'command '
-              'continues from there.')
+              'command continues from there.')
         raise
 
 
@@ -225,8 +210,3 @@ def processor_seconds(folder):
     """Returns the processor time of each command of a run [s]."""
     log = (folder / LOG).read_text(encoding='utf-8', errors='replace')
     return [float(seconds) for seconds in re.findall(rf'^{PROCESSOR_TIME}: ([\d.]+) s$', log, re.MULTILINE)]
-
-
-def tail_of(file, lines=5):
-    """Returns the last lines of a log."""
-    return '\n'.join(re.split(r'[\r\n]+', file.read_text(encoding='utf-8', errors='replace').strip())[-lines:])

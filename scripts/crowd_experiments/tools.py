@@ -46,12 +46,10 @@ def find_evaluation(arguments):
 
 
 def programs_in(prefix):
-    """Returns the folder of the package's programs."""
     return prefix / 'lib' / 'social_crowd'
 
 
 def has_tools(folder):
-    """Returns whether a folder has both programs."""
     return all(os.access(folder / tool, os.X_OK) for tool in TOOLS)
 
 
@@ -79,7 +77,6 @@ def workspaces():
 
 
 def build_folder():
-    """Returns the build folder of the clone."""
     return pathlib.Path(os.environ.get('SOCIAL_CROWD_BUILD', REPOSITORY / '.build')).resolve()
 
 

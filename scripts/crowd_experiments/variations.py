@@ -6,9 +6,13 @@ import pathlib
 import typing
 
 import yaml
+from crowd_drawing.errors import read_documents
 from crowd_drawing.files import shipped_scenarios
 
 from .tools import REPOSITORY
+
+DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)  # the faster implementation, if available
+EVERY = '*'  # in a path of keys: each entry of a list
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,64 +26,37 @@ class Setting:
     benchmark: typing.Optional[pathlib.Path] = None  # folder of the steering benchmark
 
     def count(self, full, quick):
-        """Returns the number of seeds, episodes etc."""
         return quick if self.quick else full
 
     def seeds(self, full, quick=2):
-        """Returns the seeds 1, 2, ..."""
         return range(1, self.count(full, quick) + 1)
 
-    def tool(self, name):
-        """Returns the program `train` or `evaluate`."""
-        return self.tools / name
-
-    def config_file(self, name):
-        """Returns a training configuration of the experiments."""
-        return self.experiments / f'{name}.yaml'
-
     def scenario(self, name):
-        """Returns a scenario file."""
         return self.config / 'scenarios' / f'{name}.yaml'
 
     def learning(self, model):
-        """Returns a shipped training configuration."""
         return self.config / 'learning' / f'{model}.yaml'
 
     def table(self, model):
-        """Returns a shipped Q-table."""
         return self.config / 'q_tables' / f'{model}.txt'
 
     def run_folder(self, experiment, run):
-        """Returns the folder of a run."""
         return self.results / 'runs' / experiment / run
-
-    def figure_file(self, name):
-        """Returns the file of a figure."""
-        return self.results / 'figures' / f'{name}.png'
-
-
-LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)  # the faster implementation, if available
-DUMPER = getattr(yaml, 'CSafeDumper', yaml.SafeDumper)
-EVERY = '*'  # in a path of keys: each entry of a list
 
 
 def vary_config(setting, base, changes, name, scenarios=None):
     """Writes a variation of the training configuration `base`, a name in config/experiments or a file. Returns the new
     file.
 
-    Changes are new values by the paths of their keys, such as {'learning.epsilon': 0.05}; None removes a key. Without
-    scenarios, those of the base are used."""
-    file = base if isinstance(base, pathlib.Path) else setting.config_file(base)
+    Changes are new values by the paths of their keys, such as {'learning.epsilon': 0.05}; None removes a key.
+    Scenarios, by default those of the base, are files relative to it, else the package's of these names."""
+    file = base if isinstance(base, pathlib.Path) else setting.experiments / f'{base}.yaml'
     config = changed(read_documents(file)[0], changes)
     training = config['training']
-    training['scenarios'] = [scenario_path(file, name) for name in scenarios or training['scenarios']]
+    shipped = shipped_scenarios()
+    near = [(name, (file.parent / name).resolve()) for name in scenarios or training['scenarios']]
+    training['scenarios'] = [str(path if path.exists() else shipped.get(name, path)) for name, path in near]
     return write_if_new(setting.results / 'configs' / f'{name}.yaml', file, [config])
-
-
-def scenario_path(config, name):
-    """Returns the scenario file of a training configuration: relative to it, else the package's of this name."""
-    near = (config.parent / name).resolve()
-    return str(near if near.exists() else shipped_scenarios().get(name, near))
 
 
 def vary_scenario(setting, base, changes, name):
@@ -89,12 +66,6 @@ def vary_scenario(setting, base, changes, name):
     file = base if isinstance(base, pathlib.Path) else setting.scenario(base)
     documents = [changed(document, changes) for document in read_documents(file)]
     return write_if_new(setting.results / 'configs' / 'scenarios' / f'{name}.yaml', file, documents)
-
-
-def read_documents(file):
-    """Returns the YAML documents of a file."""
-    with open(file, encoding='utf-8') as stream:
-        return [document for document in yaml.load_all(stream, LOADER) if document is not None]
 
 
 def heading_of(agent):
@@ -128,7 +99,6 @@ def change(node, keys, value):
 
 
 def write_if_new(file, base, documents):
-    """Writes the documents unless the file already has the same contents."""
     content = yaml.dump_all(documents, None, DUMPER, sort_keys=False, default_flow_style=None)
     text = f'# Made from {base.name}.\n{content}'
     if not file.is_file() or file.read_text(encoding='utf-8') != text:

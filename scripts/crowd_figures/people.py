@@ -2,22 +2,54 @@
 
 Each is a mesh of one colour: the fewer meshes, the faster RViz draws them.
 """
-import dataclasses
 import math
+import typing
 
 import numpy
 from crowd_experiments.arguments import add_file, parser_of
 from crowd_experiments.tools import REPOSITORY
 
-from .gait import FRAMES, joints
 from .shapes import ellipse, ellipsoid, join, limb, loft, write
 
+FRAMES = 8
+HIP_SWING = 24.0  # [degrees] to each side: with a leg of 0.88 m a cycle of 1.4 m
+ARM_SWING = 22.0
 THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when standing [m]
 UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42
+EXAMPLE = '''Each build has a head, and for each picture of the walking cycle (frames 0 to 7, and 8: standing)
+a shirt and a mesh of the dark parts: hair, trousers or skirt, shoes.
+
+example:
+  scripts/draw_figures --output /tmp/meshes'''
 
 
-@dataclasses.dataclass
-class Build:
+def bump(phase, middle, width):
+    """A smooth hump of height 1 in a cycle of length 1."""
+    away = (phase - middle + 0.5) % 1.0 - 0.5
+    return math.exp(-(away / width) ** 2)
+
+
+def leg(phase):
+    """Angles of hip and knee [degrees] at a phase of the leg's cycle, 0 to 1; its heel touches the floor at 0."""
+    knee = 4.0 + 12.0 * bump(phase, 0.14, 0.1) + 56.0 * bump(phase, 0.73, 0.12)
+    return 3.0 + HIP_SWING * math.cos(2 * math.pi * phase), knee
+
+
+def arm(phase):
+    """Angles of shoulder and elbow [degrees] at the phase of the leg on the same side: the arm swings against it."""
+    swing = -math.cos(2 * math.pi * phase)
+    return ARM_SWING * swing, 22.0 + 12.0 * swing
+
+
+def joints(frame):
+    """Angles (hip, knee, shoulder, elbow) [degrees] of left and right in a frame; FRAMES: of a person who stands."""
+    if frame == FRAMES:
+        return [(0.0, 0.0, 0.0, 8.0)] * 2
+    phase = (frame + 0.5) / FRAMES
+    return [(*leg(part), *arm(part)) for part in (phase, (phase + 0.5) % 1.0)]
+
+
+class Build(typing.NamedTuple):
     """Half widths of a person 1.75 m tall [m]."""
     name: str
     shoulders: float
@@ -85,8 +117,12 @@ def hair(build):
     return join(*parts)
 
 
-def make(folder):
-    """Writes all meshes into a folder. Returns the files."""
+def main(words=None):
+    parser = parser_of('draw_figures', 'Makes the meshes of people who walk, which crowd_markers shows in RViz.',
+                       EXAMPLE)
+    add_file(parser, '--output', default=REPOSITORY / 'meshes', metavar='FOLDER',
+             help='folder of the meshes (default: meshes)')
+    folder = parser.parse_args(words).output
     folder.mkdir(parents=True, exist_ok=True)
     shapes = {}
     for build in BUILDS:
@@ -96,23 +132,5 @@ def make(folder):
             up = numpy.array([0.0, 0.0, -floor])  # the lower foot is on the floor
             shapes[f'{build.name}_dark_{frame}'] = join(lower + up, hair(build))
             shapes[f'{build.name}_shirt_{frame}'] = shirt(build, frame) + up
-    return [write(folder / f'{name}.stl', shape) for name, shape in shapes.items()]
-
-
-EXAMPLE = '''Each build has a head, and for each picture of the walking cycle (frames 0 to 7, and 8: standing)
-a shirt and a mesh of the dark parts: hair, trousers or skirt, shoes.
-
-example:
-  scripts/draw_figures --output /tmp/meshes
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
-
-
-def main(words=None):
-    """Runs scripts/draw_figures with command line words."""
-    parser = parser_of('draw_figures', 'Makes the meshes of people who walk, which crowd_markers shows in RViz.',
-                       EXAMPLE)
-    add_file(parser, '--output', default=REPOSITORY / 'meshes', metavar='FOLDER',
-             help='folder of the meshes (default: meshes)')
-    files = make(parser.parse_args(words).output)
+    files = [write(folder / f'{name}.stl', shape) for name, shape in shapes.items()]
     print(f'{len(files)} meshes, {sum(file.stat().st_size for file in files) / 1e3:.0f} kB')

@@ -22,8 +22,7 @@ def loft(rings):
     triangles = []
     count = len(rings[0])
     for low, high in zip(rings, rings[1:]):
-        for i in range(count):
-            j = (i + 1) % count
+        for i, j in zip(range(count), (*range(1, count), 0)):
             triangles += [(low[i], low[j], high[j]), (low[i], high[j], high[i])]
     for ring, order in ((rings[0], -1), (rings[-1], 1)):
         triangles += [(ring[0], *ring[i:i + 2][::order]) for i in range(1, count - 1)]
@@ -61,8 +60,3 @@ def limb(points, radii, corners=6):
 def join(*shapes):
     """Several shapes as one."""
     return numpy.concatenate(shapes)
-
-
-def volume(shape):
-    """Volume of a closed shape [m^3]; negative if its corners are clockwise."""
-    return float(numpy.einsum('ij,ij->i', shape[:, 0], numpy.cross(shape[:, 1], shape[:, 2])).sum() / 6)

@@ -8,6 +8,9 @@ import numpy
 from crowd_drawing.errors import InputError
 
 QUALITY = '20'  # constant rate factor of x264: 0 is lossless, 51 the worst
+WHITE, TRANSPARENT = 126, 127  # their numbers in the palette of a GIF, after the other colours
+NO_DITHER = 0  # the name differs between versions of PIL
+WEBP = {'quality': 80, 'method': 4}
 
 
 def need_ffmpeg():
@@ -42,30 +45,17 @@ def write_mp4(file, frames, _samples, duration):
         raise InputError(f"ffmpeg: {message.decode(errors='replace').strip()}")
 
 
-WHITE = 126  # its number in the palette of a GIF, after the other colours
-TRANSPARENT = 127
-NO_DITHER = 0  # the name differs between versions of PIL
-WEBP = {'quality': 80, 'method': 4}
-
-
 def write_gif(file, frames, samples, duration):
     """Writes frames, arrays of RGB bytes, as a GIF that is repeated forever.
 
     All frames have the colours of `samples`, some of the frames. Pixels that do not change are transparent, which makes
     the file small. Duration: of a frame [ms], a multiple of 10."""
-    palette = palette_of(samples)
+    palette = PIL.Image.fromarray(numpy.vstack(samples)).quantize(WHITE, method=PIL.Image.MEDIANCUT, dither=NO_DITHER)
+    colours = palette.getpalette()[:3 * WHITE]
+    palette.putpalette(colours + [255] * (3 * 256 - len(colours)))  # white in all further places
     pictures = changes(frames, palette)
     next(pictures).save(file, format='GIF', save_all=True, append_images=pictures, duration=duration, loop=0,
                         disposal=1, transparency=TRANSPARENT, optimize=False)
-
-
-def palette_of(samples):
-    """Returns a picture whose palette has the colours of sample frames, and white in all further places."""
-    mosaic = PIL.Image.fromarray(numpy.vstack(samples))
-    palette = mosaic.quantize(WHITE, method=PIL.Image.MEDIANCUT, dither=NO_DITHER)
-    colours = palette.getpalette()[:3 * WHITE]
-    palette.putpalette(colours + [255] * (3 * 256 - len(colours)))
-    return palette
 
 
 def changes(frames, palette):

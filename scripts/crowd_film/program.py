@@ -1,14 +1,26 @@
-"""The program `film`."""
+"""The program `film`: walks an episode, and makes the film from a scene and its tracks."""
+import dataclasses
+import math
 import pathlib
+import sys
 import tempfile
 
-from crowd_drawing.errors import check_output
+from crowd_drawing.errors import InputError, check_output, replaced
+from crowd_drawing.files import find_scenario
 from crowd_experiments.arguments import above_zero, add_file, add_tools, at_least_zero, parser_of, pixels, whole
-from crowd_experiments.tools import find_tools
-from crowd_film.pictures import need_ffmpeg
-from crowd_film.production import MEGABYTE, Settings, WRITERS, make, table_for, walk
-from crowd_recordings.shown import read_shown
+from crowd_experiments.runs import ProgressBar, output_of
+from crowd_experiments.tools import find_config, find_tools
+from crowd_film.pictures import need_ffmpeg, write_gif, write_mp4, write_webp
+from crowd_film.stage import FramePainter, LEAST_WIDTH, Stage
+from crowd_recordings.formats import read_shown
+from matplotlib import pyplot
 
+WRITERS = {'.gif': write_gif, '.webp': write_webp, '.mp4': write_mp4}
+SAMPLES = 6  # frames that determine the palette of a GIF
+MEGABYTE = 1e6
+MOST_GIGABYTES = 1.5  # of all frames of a WebP film, which are kept until the last one is drawn
+SAFETY = 0.97  # of the size at the next attempt
+SHRINKAGE = 0.7  # of the logarithm of the sides for that of the bytes; 0.5 would be that of an area
 EXAMPLES = '''examples:
   film place_station --start 20 --duration 40 --output station.gif
   film place_office --speed 8 --max-size 3 --output office.webp
@@ -16,20 +28,126 @@ EXAMPLES = '''examples:
   film --trajectories obsmat.txt --duration 60 --output people.gif
 
 One episode is walked with `evaluate`, or a recording of `evaluate --trajectories` is shown. MP4 needs ffmpeg.
-Robots are shown at their start. Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+Robots are shown at their start.'''
 
 
-def parser():
-    """Returns the parser of the command line."""
-    result = parser_of('film', 'Makes a film of a scenario: GIF, WebP or MP4. Needs neither a display nor ROS running.',
+def walk(scenario, evaluate, table, seed, folder):
+    """Walks one episode with `evaluate`. Returns the scene as drawn, and the Tracks by agent. Raises RunError."""
+    file = pathlib.Path(find_scenario(scenario)).resolve()
+    print(f'film: walking {file.stem}', file=sys.stderr, flush=True)
+    output_of([evaluate, '--q-table', table, '--episodes', 1, '--seed', seed, '--trajectories', folder, '--scenes',
+               folder, file])
+    return read_shown(folder / f'{file.stem}.csv', folder / file.name)[:2]
+
+
+@dataclasses.dataclass(frozen=True)
+class Settings:
+    """How a film is made."""
+    output: pathlib.Path
+    title: str
+    start: float = 0.0  # [s] simulated time of the first frame
+    duration: float = math.inf  # [s] simulated
+    speed: float = 4.0  # simulated seconds in a second of the film
+    fps: float = 20.0  # frames in a second of the film
+    size: int = 800  # [pixels] longer side
+    max_megabytes: float = math.inf  # of a GIF or WebP
+    view: tuple = None  # x0, y0, x1, y1 of the part that is shown [m]; None: everything
+
+
+def frame_duration(settings):
+    """Returns the duration of a frame [ms]. In GIFs it is a multiple of 10."""
+    unit = 10 if settings.output.suffix.lower() == '.gif' else 1
+    return max(unit, unit * round(1000 / settings.fps / unit))
+
+
+def frame_times(settings, tracks):
+    """Returns the simulated times of the frames [s], up to the time at which the last agent leaves."""
+    step = frame_duration(settings) / 1000 * settings.speed
+    end = min(settings.start + settings.duration, max(track.times[-1] for track in tracks.values()))
+    if end < settings.start:
+        raise InputError(f'--start: the recording ends at {end:g} s, got {settings.start:g}')
+    frames = int((end - settings.start) / step + 1e-9) + 1
+    if frames < 2:
+        raise InputError(f'--speed: the film would have one frame, as the recording ends at {end:g} s; got '
+                         f'{settings.speed:g}')
+    return [settings.start + i * step for i in range(frames)]
+
+
+def make(settings, scene, tracks):
+    """Makes a film, again and smaller if it is larger than `max_megabytes`. Returns width, height, number of frames."""
+    times = frame_times(settings, tracks)
+    size = settings.size
+    with replaced(settings.output) as part:
+        while True:
+            width, height = shoot(part, dataclasses.replace(settings, size=size), scene, tracks, times)
+            megabytes = part.stat().st_size / MEGABYTE
+            if megabytes <= settings.max_megabytes:
+                return width, height, len(times)
+            size = int(SAFETY * size * (settings.max_megabytes / megabytes)**SHRINKAGE)
+            if size < LEAST_WIDTH:
+                raise InputError(f'the film has {megabytes:.1f} MB with {width} x {height} pixels, more than '
+                                 f'{settings.max_megabytes:g} MB; give a shorter --duration, a lower --fps, a higher '
+                                 '--speed, or .webp')
+            print(f'film: {megabytes:.1f} MB are too large; once more with {size} pixels', file=sys.stderr, flush=True)
+
+
+def shoot(file, settings, scene, tracks, times):
+    """Writes a film to a file. Returns its width and height [pixels]."""
+    stage = Stage(scene, tracks, settings.title, settings.size, settings.view)
+    gigabytes = 3 * stage.width * stage.height * len(times) / 1e9
+    if settings.output.suffix.lower() == '.webp' and gigabytes > MOST_GIGABYTES:
+        raise InputError(f'a WebP film of {len(times)} frames with {stage.width} x {stage.height} pixels would need '
+                         f'{gigabytes:.1f} GB of memory, more than {MOST_GIGABYTES:g}; expected .gif or .mp4, or a '
+                         'shorter --duration')
+    painter = FramePainter(stage, scene, tracks)
+    samples = [painter.draw(time) for time in times[::max(1, len(times) // SAMPLES)]]
+    bar = ProgressBar(len(times), len(times), 'frames')
+
+    def frames():
+        for time in times:
+            yield painter.draw(time)
+            bar.add(1)
+    try:
+        WRITERS[settings.output.suffix.lower()](file, frames(), samples, frame_duration(settings))
+    finally:
+        bar.end()
+        pyplot.close(stage.figure)
+    return stage.width, stage.height
+
+
+def produce(arguments):
+    """Reads or walks the episode, and makes the film."""
+    check_output(arguments.output)
+    if arguments.output.suffix.lower() == '.mp4':
+        need_ffmpeg()
+    if arguments.trajectories:
+        scene, tracks, _ = read_shown(arguments.trajectories, arguments.scenario, arguments.instance,
+                                      arguments.frame_rate)
+    else:
+        with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
+            is_place = pathlib.Path(arguments.scenario).stem.startswith('place_')  # as in demo.launch
+            table = find_config() / 'q_tables' / ('human.txt' if is_place else 'anticipation.txt')
+            seed = 1 if arguments.seed is None else arguments.seed
+            scene, tracks = walk(arguments.scenario, find_tools(arguments.tools) / 'evaluate',
+                                 arguments.q_table or table, seed, pathlib.Path(folder))
+    title = (scene.name or arguments.trajectories.stem) if arguments.title is None else arguments.title
+    settings = Settings(arguments.output, title, arguments.start, arguments.duration, arguments.speed, arguments.fps,
+                        arguments.size, arguments.max_size, arguments.view)
+    width, height, frames = make(settings, scene, tracks)
+    megabytes = arguments.output.stat().st_size / MEGABYTE
+    print(f'{arguments.output}: {frames} frames of {width} x {height} pixels, {megabytes:.2f} MB')
+
+
+def main(words=None):
+    parser = parser_of('film', 'Makes a film of a scenario: GIF, WebP or MP4. Needs neither a display nor ROS running.',
                        EXAMPLES)
-    add = result.add_argument
+    add = parser.add_argument
     add('scenario', nargs='?', metavar='SCENARIO', help='a scenario file, or a name in config/scenarios; not required '
         'with --trajectories')
-    add_file(result, '--output', required=True, help='FILE.gif, FILE.webp or FILE.mp4')
-    add_file(result, '--q-table', help='Q-table (default: human for scenarios place_*, else anticipation)')
+    add_file(parser, '--output', required=True, help='FILE.gif, FILE.webp or FILE.mp4')
+    add_file(parser, '--q-table', help='Q-table (default: human for scenarios place_*, else anticipation)')
     add('--seed', type=whole, metavar='N', help='seed of the episode (default: 1)')
-    add_file(result, '--trajectories', help="show this recording: CSV of evaluate, JuPedSim's text format, or "
+    add_file(parser, '--trajectories', help="show this recording: CSV of evaluate, JuPedSim's text format, or "
                                             "obsmat.txt")
     add('--frame-rate', type=above_zero, metavar='HZ', help='of the recording, in place of that in the file')
     add('--instance', type=whole, metavar='N', help='episode of the recording (default: the first)')
@@ -45,45 +163,17 @@ def parser():
     add('--max-size', type=above_zero, default=float('inf'), metavar='MB',
         help='greatest size of the file [MB]; a larger film is made again with fewer pixels')
     add('--title', help="title of the film (default: the scenario's name)")
-    add_tools(result, 'evaluate')
-    return result
-
-
-def produce(arguments):
-    """Reads or walks the episode, and makes the film."""
-    check_output(arguments.output)
-    if arguments.output.suffix.lower() == '.mp4':
-        need_ffmpeg()
-    if arguments.trajectories:
-        scene, tracks, _ = read_shown(arguments.trajectories, arguments.scenario, arguments.instance,
-                                      arguments.frame_rate)
-    else:
-        with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
-            table = arguments.q_table or table_for(arguments.scenario)
-            seed = 1 if arguments.seed is None else arguments.seed
-            scene, tracks = walk(arguments.scenario, find_tools(arguments.tools) / 'evaluate', table, seed,
-                                 pathlib.Path(folder))
-    title = (scene.name or arguments.trajectories.stem) if arguments.title is None else arguments.title
-    settings = Settings(arguments.output, title, arguments.start, arguments.duration, arguments.speed, arguments.fps,
-                        arguments.size, arguments.max_size, arguments.view)
-    width, height, frames = make(settings, scene, tracks)
-    megabytes = arguments.output.stat().st_size / MEGABYTE
-    print(f'{arguments.output}: {frames} frames of {width} x {height} pixels, {megabytes:.2f} MB')
-
-
-def main(words=None):
-    """Runs the program with command line words."""
-    checked = parser()
-    arguments = checked.parse_args(words)
+    add_tools(parser, 'evaluate')
+    arguments = parser.parse_args(words)
     if arguments.view and not (arguments.view[0] < arguments.view[2] and arguments.view[1] < arguments.view[3]):
-        checked.error('--view: expected X0 < X1 and Y0 < Y1')
+        parser.error('--view: expected X0 < X1 and Y0 < Y1')
     if arguments.output.suffix.lower() not in WRITERS:
-        checked.error(f"--output: expected a name with {', '.join(WRITERS)}, got '{arguments.output}'")
+        parser.error(f"--output: expected a name with {', '.join(WRITERS)}, got '{arguments.output}'")
     if not (arguments.scenario or arguments.trajectories):
-        checked.error('expected a SCENARIO or --trajectories')
+        parser.error('expected a SCENARIO or --trajectories')
     for name, value in (('--q-table', arguments.q_table), ('--seed', arguments.seed)):
         if arguments.trajectories and value is not None:
-            checked.error(f'{name}: a recording is not walked again; expected either {name} or --trajectories')
+            parser.error(f'{name}: a recording is not walked again; expected either {name} or --trajectories')
     try:
         produce(arguments)
     except KeyboardInterrupt:

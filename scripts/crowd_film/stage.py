@@ -1,8 +1,13 @@
-"""The unchanging part of a film: the place, its frame, and the strips above and below."""
+"""Draws a film: the place with its frame and the strips above and below, which do not change, and each frame."""
+import math
+
+import numpy
 from crowd_drawing.errors import InputError
-from crowd_drawing.picture import OBSTACLE_COLOUR, Picture
-from crowd_drawing.surroundings import draw_surroundings
+from crowd_drawing.files import is_open, place_of
+from crowd_drawing.picture import GATE_COLOUR, OBSTACLE_COLOUR, Picture, colours_of, draw_surroundings, mark_of
 from matplotlib import pyplot
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 
 DPI = 100
@@ -13,6 +18,11 @@ EDGE = 10  # [pixels] at the left and right of texts
 FONT_SIZE = 9.5
 BAR_SHARE = 0.22  # greatest length of the scale bar, as a share of the width
 BAR_LENGTHS = (1, 2, 5, 10, 20, 50, 100)  # [m]
+TRAIL = 2.5  # [s]
+TRAIL_POINTS = 9
+NOSE = 0.09  # [m] width of the line that shows a heading
+CIRCLE = numpy.array([(math.cos(angle), math.sin(angle)) for angle in numpy.linspace(0, 2 * math.pi, 33)])
+OPEN, SHUT = (0, (1, 2)), '-'  # line styles of gates
 
 
 class Stage:
@@ -25,17 +35,13 @@ class Stage:
         self.figure, axes = pyplot.subplots(dpi=DPI)
         self.picture = Picture(axes)
         draw_surroundings(self.picture, scene, None)
-        for wall in scene.walls:
-            self.picture.draw_wall(wall)
         for body in scene.agents:
-            for goal in body['goals'] if not scene.population.sink_areas else []:
-                self.picture.show(goal, body['radius'])
+            self.picture.show(body['goals'] if not scene.population.sink_areas else [], body['radius'])
         for body in [*scene.obstacles, *scene.robots]:
             if body['position'] is not None:
                 self.picture.show(body['position'], body['radius'])
         for agent, track in tracks.items():
-            for corner in (track.places.min(axis=0), track.places.max(axis=0)):
-                self.picture.show(corner, scene.radius_of(agent))
+            self.picture.show(track.places, scene.radius_of(agent))
         self.width, self.height = self.frame(size, view)
         self.write(title, scene)
 
@@ -44,7 +50,10 @@ class Stage:
         axes = self.picture.axes
         self.picture.frame()
         if view is not None:
-            check_view(view, axes.get_xlim(), axes.get_ylim())
+            (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+            if view[0] >= right or view[2] <= left or view[1] >= top or view[3] <= bottom:
+                raise InputError('--view: nothing of the scene is there, which is in {:g} {:g} {:g} {:g}; got {:g} '
+                                 '{:g} {:g} {:g}'.format(left, bottom, right, top, *view))
             axes.set(xlim=(view[0], view[2]), ylim=(view[1], view[3]))
         axes.set_axis_off()
         metres = [high - low for low, high in (axes.get_xlim(), axes.get_ylim())]
@@ -56,7 +65,6 @@ class Stage:
         return width, height
 
     def write(self, title, scene):
-        """Writes the title, the scale bar and the legend."""
         self.figure.text(EDGE / self.width, 1 - HEAD / 2 / self.height, title, va='center', fontsize=FONT_SIZE,
                          fontweight='bold')
         middle = FOOT / 2 / self.height
@@ -64,25 +72,13 @@ class Stage:
         ends = [EDGE / self.width, (EDGE + length * self.scale) / self.width]
         self.figure.add_artist(Line2D(ends, [middle, middle], color='0.2', linewidth=2, solid_capstyle='butt'))
         self.figure.text(ends[1] + EDGE / 2 / self.width, middle, f'{length} m', va='center', fontsize=FONT_SIZE - 1)
-        entries = list(self.picture.further_entries)
-        if scene.obstacles:
-            entries.append(mark_of('obstacle', OBSTACLE_COLOUR, 'o'))
-        if scene.robots:
-            entries.append(mark_of('robot', ROBOT_COLOUR, 's'))
+        entries = [*self.picture.further_entries,
+                   *([mark_of('obstacle', OBSTACLE_COLOUR, 7, markeredgecolor='0.3')] if scene.obstacles else []),
+                   *([mark_of('robot', ROBOT_COLOUR, 7, 's', markeredgecolor='0.3')] if scene.robots else [])]
         if entries:
             self.figure.legend(handles=entries, loc='center right', bbox_to_anchor=(1, middle), ncol=len(entries),
                                frameon=False, fontsize=FONT_SIZE - 1, handlelength=1.4, columnspacing=1.2, borderpad=0,
                                handletextpad=0.5)
-
-    def clock(self):
-        """Returns a text at the right of the upper strip."""
-        return self.figure.text(1 - EDGE / self.width, 1 - HEAD / 2 / self.height, '', va='center', ha='right',
-                                fontsize=FONT_SIZE, family='monospace')
-
-
-def mark_of(label, colour, marker):
-    """Returns an entry of a legend."""
-    return Line2D([], [], linestyle='', marker=marker, color=colour, markeredgecolor='0.3', markersize=7, label=label)
 
 
 def even(number):
@@ -90,9 +86,98 @@ def even(number):
     return 2 * round(number / 2)
 
 
-def check_view(view, x_limits, y_limits):
-    """Raises InputError if nothing of a scene with these limits is in a view."""
-    if view[0] >= x_limits[1] or view[2] <= x_limits[0] or view[1] >= y_limits[1] or view[3] <= y_limits[0]:
-        corners = ' '.join(f'{value:g}' for value in (x_limits[0], y_limits[0], x_limits[1], y_limits[1]))
-        raise InputError(f"--view: nothing of the scene is there, which is in {corners}; got "
-                         f"{' '.join(f'{value:g}' for value in view)}")
+class FramePainter:
+    """Draws the people of a scene at any time on a Stage. Only what moves is drawn for each frame."""
+
+    def __init__(self, stage, scene, tracks):
+        self.stage, self.scene, self.tracks = stage, scene, tracks
+        # People in the order of their entry have colours that are easy to distinguish.
+        # Without agents in a scenario the numbers are those of a recording, which may be large.
+        order = sorted({*range(len(scene.agents)), *tracks})
+        self.colours = {agent: to_rgb(colour) for agent, colour in zip(order, colours_of(len(order)))}
+        self.placed_robots = [robot for robot in scene.robots if robot['position'] is not None]
+        axes = stage.picture.axes
+        self.gates = [axes.plot(*zip(*wall), color=GATE_COLOUR, linewidth=2.5, zorder=4)[0]
+                      for wall, _ in scene.population.gates]
+        self.trails = axes.add_collection(LineCollection([], linewidths=1.6, zorder=5))
+        self.goals = axes.add_collection(LineCollection([], linewidths=1.6, zorder=5.5))
+        self.ends = axes.add_collection(PolyCollection([], zorder=5.8, linewidths=1.2))
+        self.bodies = axes.add_collection(PolyCollection([], zorder=7, linewidths=0.6, edgecolors='0.15'))
+        self.noses = axes.add_collection(LineCollection([], colors='white', zorder=8, capstyle='round',
+                                                        linewidths=max(0.5, NOSE * stage.scale * 72 / DPI)))
+        self.robots = axes.add_collection(LineCollection([], colors='0.15', linewidths=1.4, zorder=8))
+        self.clock = stage.figure.text(1 - EDGE / stage.width, 1 - HEAD / 2 / stage.height, '', va='center', ha='right',
+                                       fontsize=FONT_SIZE, family='monospace')
+        self.moving = [*self.gates, self.trails, self.goals, self.ends, self.bodies, self.noses, self.robots,
+                       self.clock]
+        for artist in self.moving:
+            artist.set_animated(True)
+        self.canvas = stage.figure.canvas
+        self.canvas.draw()
+        self.background = self.canvas.copy_from_bbox(stage.figure.bbox)
+
+    def draw(self, time):
+        """Returns the frame at a time [s] as an array (height, width, 3) of bytes."""
+        self.place_people(time)
+        for line, (_, periods) in zip(self.gates, self.scene.population.gates):
+            line.set_linestyle(OPEN if is_open(periods, time) else SHUT)
+        self.clock.set_text(f'{time:6.1f} s')
+        self.canvas.restore_region(self.background)
+        for artist in self.moving:
+            self.stage.figure.draw_artist(artist)
+        return numpy.array(self.canvas.buffer_rgba())[:, :, :3]
+
+    def place_people(self, time):
+        present = [(agent, track) for agent, track in self.tracks.items() if track.is_present(time)]
+        discs = [(place_of(obstacle, time), obstacle['radius'], to_rgb(OBSTACLE_COLOUR))
+                 for obstacle in self.scene.obstacles if obstacle['position'] is not None]
+        discs += [(robot['position'], robot['radius'], to_rgb(ROBOT_COLOUR)) for robot in self.placed_robots]
+        noses = []
+        segments, shades = [], []
+        for agent, track in present:
+            radius, colour = self.scene.radius_of(agent), self.colours[agent]
+            place, heading = track.place_at(time), track.heading_at(time)
+            discs.append((place, radius, colour))
+            noses.append([point_ahead(place, heading, share * radius) for share in (0.35, 0.75)])
+            places = track.trail(time, TRAIL, TRAIL_POINTS)
+            segments += [places[i:i + 2] for i in range(TRAIL_POINTS - 1)]
+            shades += [(*colour, 0.7 * (i + 1) / TRAIL_POINTS) for i in range(TRAIL_POINTS - 1)]
+        self.trails.set_segments(segments)
+        self.trails.set_color(shades)
+        set_discs(self.bodies, discs)
+        self.noses.set_segments(noses)
+        self.robots.set_segments([[robot['position'], point_ahead(robot['position'], robot['heading'],
+                                                                  robot['radius'])] for robot in self.placed_robots])
+        self.show_goals(time)
+
+    def show_goals(self, time):
+        """Shows the last goal of each agent on its way, and the outline of each that has arrived."""
+        crosses, shades, ends, rings = [], [], [], []
+        for agent, track in self.tracks.items():
+            goals = self.scene.agents[agent]['goals'] if agent < len(self.scene.agents) else []
+            if not goals:
+                continue
+            radius, colour = self.scene.radius_of(agent), self.colours[agent]
+            if time > track.times[-1]:
+                ends.append((track.place_at(time), radius, 'none'))
+                rings.append(colour)
+                continue
+            x, y = goals[-1]
+            arm = 0.5 * radius
+            crosses += [[(x - arm, y - slope * arm), (x + arm, y + slope * arm)] for slope in (-1, 1)]
+            shades += [colour] * 2
+        self.goals.set_segments(crosses)
+        self.goals.set_color(shades)
+        set_discs(self.ends, ends)
+        self.ends.set_edgecolor(rings)
+
+
+def set_discs(collection, discs):
+    """Sets the discs (centre, radius, colour) of a collection."""
+    collection.set_verts([numpy.array(centre) + radius * CIRCLE for centre, radius, _ in discs])
+    collection.set_facecolor([colour for _, _, colour in discs])
+
+
+def point_ahead(place, heading, distance):
+    """Returns the point at a distance [m] in the direction of a heading [rad]."""
+    return place[0] + distance * math.cos(heading), place[1] + distance * math.sin(heading)

@@ -1,20 +1,26 @@
 """Scenes of pedsim_ros, with the rules of its ScenarioReader; elements of XML files know their lines."""
+import dataclasses
 import difflib
 import math
+import pathlib
 import xml.parsers.expat
 
 from crowd_drawing.errors import InputError
 
+SIMPLE, SOURCE, SINK = 0, 1, 2  # behaviours of a waypoint
+ADULT, CHILD, ROBOT, ELDER = 0, 1, 2, 3  # types of agents
+TYPE_NAMES = {ADULT: 'adult', CHILD: 'child', ROBOT: 'robot', ELDER: 'elder'}
+ROUTE_PARTS = ('addwaypoint', 'addqueue')
 
+
+@dataclasses.dataclass
 class Element:
     """An XML element: its tag, its attributes, and the file and line where it starts, for messages."""
-
-    def __init__(self, file, line, tag, attributes):
-        self.file = file
-        self.line = line
-        self.tag = tag
-        self.attributes = attributes
-        self.children = []
+    file: str
+    line: int
+    tag: str
+    attributes: dict
+    children: list = dataclasses.field(default_factory=list)
 
     def fail(self, text):
         """Raises InputError with file, line and tag of the element."""
@@ -57,8 +63,6 @@ class Element:
 
 def read_root(file):
     """Returns the root element of an XML file. Raises InputError with the line of an error."""
-    with open(file, 'rb') as stream:
-        data = stream.read()
     parser = xml.parsers.expat.ParserCreate()
     document = Element(file, 0, 'document', {})
     path = [document]
@@ -70,18 +74,12 @@ def read_root(file):
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda _tag: path.pop()
     try:
-        parser.Parse(data, True)
+        parser.Parse(pathlib.Path(file).read_bytes(), True)
     except (xml.parsers.expat.ExpatError, ValueError) as error:  # ValueError: an encoding that is not supported
         reason = getattr(error, 'code', None)
         message = str(error) if reason is None else xml.parsers.expat.ErrorString(reason)
         raise InputError(f'{file}:{parser.CurrentLineNumber}: not XML: {message}') from None
     return document.children[0]
-
-
-SIMPLE, SOURCE, SINK = 0, 1, 2  # behaviours of a waypoint
-ADULT, CHILD, ROBOT, ELDER = 0, 1, 2, 3  # types of agents
-TYPE_NAMES = {ADULT: 'adult', CHILD: 'child', ROBOT: 'robot', ELDER: 'elder'}
-ROUTE_PARTS = ('addwaypoint', 'addqueue')
 
 
 class Waypoint:
@@ -140,7 +138,10 @@ class PedsimScene:
         self.walls = elements['obstacle']
         for element in root.children:
             if element.tag in STOPS:
-                self.add_stop(STOPS[element.tag](element))
+                stop = STOPS[element.tag](element)
+                known = self.stops.setdefault(stop.name, stop)
+                if known is not stop:
+                    element.fail(f"the id '{stop.name}' is used in line {known.element.line} already")
             elif element.tag in ROUTE_PARTS:
                 element.fail('expected within an agent or a source')
         self.agents, self.sources = ([Cluster(element) for element in elements[tag]] for tag in ('agent', 'source'))
@@ -151,12 +152,6 @@ class PedsimScene:
             self.others += [part for part in cluster.element.children if part.tag not in ROUTE_PARTS]
         if not self.agents and not self.sources:
             root.fail('expected at least one agent or source')
-
-    def add_stop(self, stop):
-        """Adds a waypoint or a queue, whose id must be new."""
-        if stop.name in self.stops:
-            stop.element.fail(f"the id '{stop.name}' is used in line {self.stops[stop.name].element.line} already")
-        self.stops[stop.name] = stop
 
     def stop_of(self, part):
         """Returns the waypoint or queue that an `addwaypoint` or `addqueue` names; None if it is skipped."""

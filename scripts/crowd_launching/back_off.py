@@ -34,7 +34,6 @@ class BackOff:
         rospy.Subscriber('scan', LaserScan, self.note_scan, queue_size=1, tcp_nodelay=True)
 
     def note_scan(self, scan):
-        """Takes the present scan."""
         self.scan = scan
 
     def is_done(self):
@@ -60,7 +59,6 @@ class BackOff:
                 self.drive_on(odometry)
 
     def drive_on(self, odometry):
-        """Commands the robot that is on the way."""
         place, now = odometry.pose.pose.position, odometry.header.stamp
         if self.start is None:
             self.start, self.begun, self.direction = place, now, -1.0

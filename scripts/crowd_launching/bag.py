@@ -4,11 +4,9 @@ import sys
 
 import roslib.packages
 
-from .launch_end import end_launch
-from .program import Program
+from .program import Program, end_launch
 
-STAY = '--stay'
-NO_FILE = 'none'  # default of replay.launch
+STAY, NO_FILE = '--stay', 'none'  # the latter is the default of replay.launch
 FIRST_BYTES = b'#ROSBAG'
 
 
@@ -22,7 +20,6 @@ def problem_of(file):
 
 
 def main():
-    """Plays the bag of the command line. Returns the exit status."""
     arguments = [word for word in sys.argv[1:] if word != STAY]
     files = [word for word in arguments if not word.startswith('-') and ':=' not in word]
     if files in ([], [NO_FILE]):
@@ -34,7 +31,6 @@ def main():
         return status
     if status == 0 and STAY not in sys.argv:
         end_launch()
-    problem = problem_of(files[-1]) if status != 0 else ''
-    if problem:
-        print('play_bag: %s' % problem, file=sys.stderr)
+    if status != 0 and problem_of(files[-1]):
+        print('play_bag: %s' % problem_of(files[-1]), file=sys.stderr)
     return status

@@ -35,7 +35,6 @@ class GoalSender:
         rospy.Subscriber('goal', PoseStamped, self.take, queue_size=10, tcp_nodelay=True)
 
     def take(self, goal):
-        """Takes a new goal."""
         with self.lock:
             self.goal = goal
             self.is_new = True
@@ -48,11 +47,9 @@ class GoalSender:
             threading.Event().wait(PERIOD)
 
     def note_place(self, feedback):
-        """Takes the place of the robot."""
         self.place = feedback.base_position.pose.position
 
     def must_send(self):
-        """Returns whether the goal is to be sent now."""
         with self.lock:
             is_new, self.is_new = self.is_new, False
         if is_new or self.goal is None or not self.has_failed():
@@ -77,7 +74,6 @@ class GoalSender:
 
 
 def main():
-    """Sends goals until the node is shut down."""
     rospy.init_node('goal_sender')
     try:
         GoalSender().run()

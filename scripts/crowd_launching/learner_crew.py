@@ -11,7 +11,6 @@ from social_crowd.msg import Scenario
 
 
 def ending_of(status):
-    """Returns a text for the exit status of a subprocess."""
     if status >= 0:
         return 'ended with exit status %d' % status
     name = {number.value: ' (%s)' % number.name for number in signal.Signals}.get(-status, '')
@@ -36,17 +35,13 @@ class LearnerCrew:
     def note_scenario(self, scenario):
         self.wanted = max(self.wanted, len(scenario.agents))
 
-    def parameters_of(self, agent):
-        parameters = dict(self.parameters, agents=[agent])
+    def start_learner(self, agent):
+        name, parameters = 'learner_%d' % agent, dict(self.parameters, agents=[agent])
         if parameters.get('save_to') and parameters.get('tables') != 'own':  # own tables: the learner adds it
             stem, ending = os.path.splitext(parameters['save_to'])
             parameters['save_to'] = '%s_agent_%d%s' % (stem, agent, ending)
-        return parameters
-
-    def start_learner(self, agent):
-        name = 'learner_%d' % agent
         # Replaces all parameters of an earlier learner with this name.
-        rospy.set_param(rospy.resolve_name(name), self.parameters_of(agent))
+        rospy.set_param(rospy.resolve_name(name), parameters)
         # In its own process group, so that Ctrl-C is sent to this node only, which then stops the learners.
         self.learners[agent] = subprocess.Popen([self.learner, '__name:=' + name, '__ns:=' + rospy.get_namespace()],
                                                 start_new_session=True)
@@ -81,7 +76,6 @@ class LearnerCrew:
 
 
 def main():
-    """Runs a crew until the node is shut down."""
     try:
         rospy.init_node('learner_crew')
     except rospy.ROSInitException:

@@ -1,6 +1,12 @@
-"""Runs another program and forwards signals to it."""
+"""Runs another program and forwards signals to it; ends the launch that started this process, as launch_end.h does for
+C++ nodes; ports for ROS masters."""
+import os
 import signal
+import socket
 import subprocess
+
+STOPS = {signal.SIGINT, signal.SIGTERM}
+PATIENCE = 20.0  # [s] time for roslaunch to stop this process
 
 
 class Program:
@@ -16,7 +22,6 @@ class Program:
             self.process.terminate()
 
     def stop(self, number, _):
-        """Forwards a signal."""
         self.is_stopped = True
         if self.process:
             self.process.send_signal(number)
@@ -25,3 +30,35 @@ class Program:
         """Waits for the end of the program. Returns the exit status as a shell does."""
         status = self.process.wait()
         return status if status >= 0 else 128 - status
+
+
+def free_port():
+    """Returns a TCP port of this machine that is free at present."""
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
+
+def end_launch():
+    """Interrupts the roslaunch that started this process, if one did, and waits until it stops this process."""
+    parent = os.getppid()
+    try:
+        with open('/proc/%d/cmdline' % parent, 'rb') as stream:
+            command = [os.fsdecode(word) for word in stream.read().split(b'\0')]
+    except OSError:
+        return
+    if 'roslaunch' not in map(os.path.basename, command[:2]) or '-c' in command[2:]:  # child of one on another machine
+        return
+    signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)
+    os.kill(parent, signal.SIGINT)
+    signal.sigtimedwait(STOPS, PATIENCE)
+
+
+def end_all(processes, seconds):
+    """Interrupts processes one after the other, the latest first, and kills those that do not end in this time [s]."""
+    for process in reversed(processes):
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            process.kill()

@@ -8,14 +8,15 @@ import tempfile
 import rospkg
 import rospy
 import yaml
+from crowd_drawing.errors import read_documents
 from social_crowd.msg import Scenario
 
-from .launch_end import end_launch
-from .program import Program
+from .program import Program, end_launch
 
 VIEW = 900.0, 700.0  # [pixels] available in a window of the configuration's size
 MARGIN = 1.0  # [m] around it
 LEAST, MOST = 0.5, 100.0  # [pixels/m]
+PATIENCE = 10.0  # [s] time to wait for a scenario
 GRAPHICS = '/dev/dri/*', '/dev/nvidia[0-9]*', '/dev/dxg'  # devices with which OpenGL draws in hardware
 
 
@@ -39,50 +40,36 @@ def scale_for(scenario):
     return min([MOST, *(max(LEAST, scale) for scale in scales)])
 
 
-PATIENCE = 10.0  # [s] time to wait for a scenario
-
-
-def remove_controls(settings):
-    """Removes the panel and the tools of this package from a configuration: a recording has no nodes to call."""
-    manager = settings['Visualization Manager']
-    for holder, key in ((settings, 'Panels'), (manager, 'Tools')):
-        holder[key] = [entry for entry in holder[key] if not entry['Class'].startswith('social_crowd/')]
-
-
 def configuration(view):
     """Returns a configuration of RViz as YAML, with the scale for the current crowd."""
     file = os.path.join(rospkg.RosPack().get_path('social_crowd'), 'rviz', view + '.rviz')
-    with open(file, encoding='utf-8') as stream:
-        settings = yaml.safe_load(stream)
-    if not rospy.get_param('~controls', True):
-        remove_controls(settings)
+    settings, = read_documents(file)
+    manager = settings['Visualization Manager']
+    # A recording has no nodes that panel and tools of this package could call.
+    for holder, key in ((settings, 'Panels'), (manager, 'Tools')) if not rospy.get_param('~controls', True) else ():
+        holder[key] = [entry for entry in holder[key] if not entry['Class'].startswith('social_crowd/')]
     try:
         scenario = rospy.wait_for_message('scenario', Scenario, PATIENCE)
-        settings['Visualization Manager']['Views']['Current']['Scale'] = scale_for(scenario)
+        manager['Views']['Current']['Scale'] = scale_for(scenario)
     except rospy.ROSException:
         rospy.logwarn('no scenario was received on %s', rospy.resolve_name('scenario'))
     return yaml.safe_dump(settings, sort_keys=False)
-
-
-def options():
-    """Returns options of RViz: in software, smooth edges take more time than all else together."""
-    wanted = rospy.get_param('~anti_aliasing', 'auto')
-    smooth = not draws_in_software(os.environ) if wanted == 'auto' else wanted
-    return [] if smooth else ['--disable-anti-aliasing']
 
 
 def prepare():
     """Returns the configuration, options, and whether closing RViz ends the launch, by the parameters of this node."""
     rospy.init_node('rviz', disable_signals=True)
     try:
-        view = rospy.get_param('~view', 'social_crowd')
-        return configuration(view), options(), rospy.get_param('~ends_launch', False)
+        settings = configuration(rospy.get_param('~view', 'social_crowd'))
+        smooth = rospy.get_param('~anti_aliasing', 'auto')
+        if smooth == 'auto':  # in software, smooth edges take more time than all else together
+            smooth = not draws_in_software(os.environ)
+        return settings, [] if smooth else ['--disable-anti-aliasing'], rospy.get_param('~ends_launch', False)
     finally:
         rospy.signal_shutdown('RViz uses this node name')
 
 
 def main():
-    """Runs RViz until it is closed. Returns its exit status."""
     if not os.environ.get('DISPLAY'):
         print('show_crowd: there is no display for RViz (DISPLAY is not set); start the launch file with rviz:=false',
               file=sys.stderr)

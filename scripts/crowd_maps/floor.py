@@ -21,9 +21,7 @@ negate: 0
 EXAMPLE = '''Writes NAME.png and NAME.yaml for each, in the format of map_server.
 
 example:
-  scripts/draw_maps --output /tmp/maps
-
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+  scripts/draw_maps --output /tmp/maps'''
 
 
 def cells(metres):
@@ -43,32 +41,24 @@ class Floor:
         self.opening(0, 0, width, height)
 
     def block(self, left, bottom, right, top, value=OCCUPIED):
-        """Adds a wall or a piece of furniture."""
         left, bottom, right, top = (cells(side) + cells(MARGIN) for side in (left, bottom, right, top))
         self.rows[bottom:top, left:right] = value
 
     def opening(self, *box):
-        """Removes walls, for a door."""
         self.block(*box, FREE)
 
 
-def draw(description):
-    """Returns a floor of floors.yaml."""
-    floor = Floor(*description['size'])
-    for entry in description['drawn']:
-        for along in entry.get('at', [0]):
-            left, bottom, right, top = entry.get('block') or entry['opening']
-            (floor.block if 'block' in entry else floor.opening)(left + along, bottom, right + along, top)
-    return floor
-
-
 def main(words=None):
-    """Runs scripts/draw_maps with command line words."""
     parser = parser_of('draw_maps', f"Draws the package's own maps: {', '.join(FLOORS)}.", EXAMPLE)
     add_file(parser, '--output', default=REPOSITORY / 'config' / 'maps', metavar='FOLDER',
              help="folder of the maps (default: the package's config/maps)")
     folder = parser.parse_args(words).output
     folder.mkdir(parents=True, exist_ok=True)
     for name, description in FLOORS.items():
-        PIL.Image.fromarray(draw(description).rows[::-1]).save(folder / f'{name}.png', optimize=True)
+        floor = Floor(*description['size'])
+        for entry in description['drawn']:
+            for along in entry.get('at', [0]):
+                left, bottom, right, top = entry.get('block') or entry['opening']
+                (floor.block if 'block' in entry else floor.opening)(left + along, bottom, right + along, top)
+        PIL.Image.fromarray(floor.rows[::-1]).save(folder / f'{name}.png', optimize=True)
         (folder / f'{name}.yaml').write_text(YAML.format(name=name), encoding='utf-8')

@@ -1,18 +1,35 @@
 """Recorded crowds, and the formats of their files, which are recognised by the first line: CSV of `evaluate`,
 JuPedSim's text format (`id frame x y [z ...]`, with comments that begin with #, as PedPy reads it), and obsmat.txt of
-the ETH and UCY data sets (`frame person x z y vx vz vy`, annotated every 0.4 s)."""
+the ETH and UCY data sets (`frame person x z y vx vz vy`, annotated every 0.4 s); positions and headings at any time."""
 import argparse
 import collections
 import dataclasses
-import functools
 import math
-import os
-import pathlib
 import re
+import typing
 
-from crowd_drawing.errors import InputError
-from crowd_drawing.files import HEADER, read_walks
-from crowd_experiments.arguments import above_zero
+import numpy
+from crowd_drawing.errors import InputError, check_output, replaced
+from crowd_drawing.files import DEFAULT_TICK, HEADER, Scene, collect, find_scenario, numbers_of, read_scene, read_walks
+from crowd_experiments.arguments import above_zero, add_file, parser_of, whole
+
+COLUMNS, PERIOD = 8, 0.4  # of obsmat.txt; [s] between two annotated frames
+OBSMAT_COLUMNS = 'frame, person, x, z, y, vx, vz and vy'
+RATE = re.compile(r'framerate\s*:?\s*([-+.\deE]+)')
+CENTIMETRES = re.compile(r'[xX]/cm|in cm')
+JUPEDSIM_COLUMNS = 'id, frame, x and y'
+# Head and line of a file of one instance, as evaluate or JuPedSim write it, by its ending. The numbers are read as the
+# same bits.
+WRITTEN = {'.csv': (','.join(HEADER) + '\n', '0,{frame},{person},{x!r},{y!r}\n'),
+           '.txt': ('# description: social_crowd trajectories\n# framerate: {rate}\n# id frame x/m y/m z/m\n',
+                    '{person} {frame} {x!r} {y!r} 0\n')}
+EXAMPLES = '''examples:
+  convert_trajectories recordings/circle6.csv --output circle6.txt      for PedPy and JuPedSim
+  convert_trajectories obsmat.txt --output people.csv                   for plot_paths; film needs --frame-rate 2.5
+
+A CSV file has no frame rate: give it with --frame-rate, unless it is 10 Hz (a tick of 0.1 s).'''
+HEADING_SPAN = 0.3  # [s] of the motion that gives the heading; ticks alone are noisy
+LEAST_MOTION = 0.02  # [m] within this span, below which the heading is unchanged
 
 
 @dataclasses.dataclass(frozen=True)
@@ -27,43 +44,6 @@ class Recording:
         return self if frame_rate is None else dataclasses.replace(self, frame_duration=1 / frame_rate)
 
 
-def collect(file, rows):
-    """Returns the walks of rows (line, person, frame, x, y), in any order. Raises InputError."""
-    walks = {}
-    for line, person, frame, x, y in rows:
-        if min(person, frame) < 0 or not (math.isfinite(x) and math.isfinite(y)):
-            raise InputError(f'{file}:{line}: expected numbers of person and frame from 0, and finite positions')
-        places = walks.setdefault(person, {})
-        if frame in places:
-            raise InputError(f'{file}:{line}: person {person} is in frame {frame} for the second time')
-        places[frame] = (x, y)
-    if not walks:
-        raise InputError(f'{file}: has no trajectory')
-    return {person: [(frame, *places[frame]) for frame in sorted(places)] for person, places in sorted(walks.items())}
-
-
-def step_of(walks):
-    """Returns the largest step of which all frame numbers are multiples, counted from the first one; at least 1."""
-    frames = sorted({frame for walk in walks.values() for frame, _, _ in walk})
-    return max(1, functools.reduce(math.gcd, (frame - frames[0] for frame in frames), 0))
-
-
-def numbers_of(file, line, words, columns, expected):
-    """Returns columns of a line: two whole numbers, maybe as 7.8000000e+02, and two numbers. Raises InputError."""
-    try:
-        values = [float(words[column]) for column in columns]
-        if not (values[0].is_integer() and values[1].is_integer()):
-            raise ValueError
-        return int(values[0]), int(values[1]), values[2], values[3]
-    except (ValueError, IndexError, OverflowError):
-        raise InputError(f"{file}:{line}: expected {expected}, got '{' '.join(words)}'") from None
-
-
-COLUMNS = 8
-PERIOD = 0.4  # [s] between two annotated frames
-OBSMAT_COLUMNS = 'frame, person, x, z, y, vx, vz and vy'
-
-
 def read_obsmat(file, stream):
     """Reads a file. Returns a Recording whose frames are the annotated ones, counted from 0. Raises InputError."""
     rows = []
@@ -73,39 +53,29 @@ def read_obsmat(file, stream):
             frame, person, x, y = numbers_of(file, line, words, (0, 1, 2, 4), OBSMAT_COLUMNS)
             rows.append((line, person, frame, x, y))
     walks = collect(file, rows)
-    step, first = step_of(walks), min(walk[0][0] for walk in walks.values())
+    frames = sorted({frame for walk in walks.values() for frame, _, _ in walk})
+    step = max(1, int(numpy.gcd.reduce(numpy.diff(frames))))  # of which all are multiples, counted from the first one
     steps = collections.Counter(there[0] - here[0] for walk in walks.values() for here, there in zip(walk, walk[1:]))
     annotated = steps.most_common(1)[0][0] if steps else step  # frames between two rows of a person
-    return Recording({person: [((frame - first) // step, x, y) for frame, x, y in walk]
+    return Recording({person: [((frame - frames[0]) // step, x, y) for frame, x, y in walk]
                       for person, walk in walks.items()}, PERIOD / (annotated / step))
 
 
-RATE = re.compile(r'framerate\s*:?\s*([-+.\deE]+)')
-CENTIMETRES = re.compile(r'[xX]/cm|in cm')
-JUPEDSIM_COLUMNS = 'id, frame, x and y'
-
-
 def read_jupedsim(file, stream):
-    """Reads a file. Returns a Recording. Raises InputError."""
     frame_duration, scale, rows = None, 1.0, []
     for line, text in enumerate(stream, 1):
         if text.startswith('#'):
             match = RATE.search(text)
             if match and frame_duration is None:
-                frame_duration = duration_of(file, line, match[1])
+                try:
+                    frame_duration = 1 / above_zero(match[1])
+                except argparse.ArgumentTypeError:
+                    raise InputError(f"{file}:{line}: expected a frame rate above 0, got '{match[1]}'") from None
             scale = 0.01 if CENTIMETRES.search(text) else scale
         elif text.strip():
             person, frame, x, y = numbers_of(file, line, text.split(), (0, 1, 2, 3), JUPEDSIM_COLUMNS)
             rows.append((line, person, frame, scale * x, scale * y))
     return Recording(collect(file, rows), frame_duration)
-
-
-def duration_of(file, line, rate):
-    """Returns the time between two frames [s] of a frame rate in a header."""
-    try:
-        return 1 / above_zero(rate)
-    except (ValueError, argparse.ArgumentTypeError):
-        raise InputError(f"{file}:{line}: expected a frame rate above 0, got '{rate}'") from None
 
 
 def read_recording(file, instance=None):
@@ -126,24 +96,95 @@ def read_recording(file, instance=None):
                      'JuPedSim (comments with #, then id frame x y z), or the 8 columns of obsmat.txt')
 
 
-# Head and line of a file of one instance, as evaluate or JuPedSim write it, by its ending. The numbers are read as the
-# same bits.
-WRITTEN = {'.csv': (','.join(HEADER) + '\n', '0,{frame},{person},{x!r},{y!r}\n'),
-           '.txt': ('# description: social_crowd trajectories\n# framerate: {rate}\n# id frame x/m y/m z/m\n',
-                    '{person} {frame} {x!r} {y!r} 0\n')}
-
-
 def write_recording(file, recording):
     """Writes a recording in the format of the file's ending; the file appears when it is complete. Raises OSError."""
-    file = pathlib.Path(file)
-    part = file.with_name(f'.{file.name}.part')
-    try:
-        with open(part, 'w', encoding='utf-8') as stream:
-            head, line = WRITTEN[file.suffix.lower()]
-            stream.write(head.format(rate=round(1 / recording.frame_duration, 9)))
-            for frame, person, x, y in sorted((frame, person, x, y) for person, walk in recording.walks.items()
-                                              for frame, x, y in walk):
-                stream.write(line.format(frame=frame, person=person, x=x, y=y))
-        os.replace(part, file)
-    finally:
-        part.unlink(missing_ok=True)
+    head, line = WRITTEN[file.suffix.lower()]
+    with replaced(file) as part, open(part, 'w', encoding='utf-8') as stream:
+        stream.write(head.format(rate=round(1 / recording.frame_duration, 9)))
+        for frame, person, x, y in sorted((frame, person, x, y) for person, walk in recording.walks.items()
+                                          for frame, x, y in walk):
+            stream.write(line.format(frame=frame, person=person, x=x, y=y))
+
+
+def main(words=None):
+    parser = parser_of('convert_trajectories',
+                       "Converts recorded trajectories: CSV files of `evaluate --trajectories`, "
+                       "JuPedSim's text format, and obsmat.txt of the ETH and UCY data sets (input only).", EXAMPLES)
+    parser.add_argument('input', metavar='IN', help='a recording; its format is recognised')
+    add_file(parser, '--output', required=True, metavar='OUT', help="OUT.csv, or OUT.txt in JuPedSim's format")
+    parser.add_argument('--instance', type=whole, metavar='N', help='episode of a CSV file (default: the first)')
+    parser.add_argument('--frame-rate', type=above_zero, metavar='HZ',
+                        help='frames in a second, in place of that of IN (CSV: 10; obsmat.txt: 2.5)')
+    arguments = parser.parse_args(words)
+    if arguments.output.suffix.lower() not in WRITTEN:
+        parser.error(f"--output: expected a name with {' or '.join(WRITTEN)}, got '{arguments.output}'")
+    check_output(arguments.output)
+    recording = read_recording(arguments.input, arguments.instance).at_rate(arguments.frame_rate)
+    if recording.frame_duration is None:
+        recording = recording.at_rate(1 / DEFAULT_TICK)
+    write_recording(arguments.output, recording)
+    rows = sum(map(len, recording.walks.values()))
+    people = '1 person' if len(recording.walks) == 1 else f'{len(recording.walks)} people'
+    print(f'{arguments.output}: {people}, {rows} positions, {1 / recording.frame_duration:g} frames a second')
+    if arguments.output.suffix.lower() == '.csv' and not math.isclose(recording.frame_duration, DEFAULT_TICK):
+        print(f'A CSV file has no frame rate: give --frame-rate {1 / recording.frame_duration:g} to programs that read '
+              'it.')
+
+
+class Track(typing.NamedTuple):
+    """The recorded positions of an agent."""
+    times: numpy.ndarray  # [s] ascending
+    places: numpy.ndarray  # [m] one row x, y for each time
+    headings: numpy.ndarray  # [rad] for each time, continuous
+
+    def is_present(self, time):
+        """Returns whether the agent is in the world at a time [s]."""
+        return self.times[0] <= time <= self.times[-1]
+
+    def place_at(self, time):
+        """Returns x, y [m] at a time [s], or at the first or last time of the track."""
+        return [float(numpy.interp(time, self.times, self.places[:, axis])) for axis in (0, 1)]
+
+    def heading_at(self, time):
+        """Returns the heading at a time [rad]."""
+        return float(numpy.interp(time, self.times, self.headings))
+
+    def trail(self, time, duration, points):
+        """Returns the path of the last seconds before a time as `points` places, oldest first [m]."""
+        times = numpy.linspace(max(self.times[0], time - duration), time, points)
+        return numpy.column_stack([numpy.interp(times, self.times, self.places[:, axis]) for axis in (0, 1)])
+
+
+def track_of(walk, tick):
+    """Returns the Track of a walk: a list of (tick, x, y) [m], with the duration of a tick [s]."""
+    rows = numpy.array(walk, dtype=float)
+    times, places = rows[:, 0] * tick, rows[:, 1:]
+    # The heading is the direction of the recent motion [rad]; where an agent stands, its last heading.
+    before = [numpy.interp(times - HEADING_SPAN, times, places[:, axis]) for axis in (0, 1)]
+    motion = places - numpy.column_stack(before)
+    moves = numpy.hypot(motion[:, 0], motion[:, 1]) >= LEAST_MOTION
+    if not moves.any():
+        return Track(times, places, numpy.zeros(len(times)))
+    latest = numpy.maximum.accumulate(numpy.where(moves, numpy.arange(len(times)), -1))
+    latest[latest < 0] = numpy.argmax(moves)  # before the first motion: its heading
+    return Track(times, places, numpy.unwrap(numpy.arctan2(motion[latest, 1], motion[latest, 0])))
+
+
+def read_shown(trajectories, scenario=None, instance=None, frame_rate=None):
+    """Reads a recording, and the scenario of its instance, if one is given. Returns the Scene, the Tracks by person,
+    and the time between two frames [s].
+
+    This time is that of the frame rate [Hz], else of the file, else a tick of the scenario. If a file that is not of
+    `evaluate` has other people than the agents of the scenario, walls, map, obstacles and gates remain of it. Raises
+    InputError, OSError."""
+    recording = read_recording(trajectories, instance)
+    scene = read_scene(find_scenario(scenario), instance or 0) if scenario else Scene({}, trajectories)
+    last = max(recording.walks)
+    if recording.frame_duration is not None and last >= len(scene.agents):
+        scene.agents = []
+    recording = recording.at_rate(frame_rate)
+    if scenario and scene.agents and last >= len(scene.agents) and not scene.population.source_areas:
+        raise InputError(f'{trajectories}: has an agent {last}, but {scene.place} has {len(scene.agents)} agents, '
+                         'counted from 0')
+    duration = recording.frame_duration or scene.tick
+    return scene, {person: track_of(walk, duration) for person, walk in recording.walks.items()}, duration

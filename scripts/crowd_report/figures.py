@@ -4,14 +4,20 @@ import textwrap
 
 import numpy
 from crowd_drawing.files import Scene, read_scene, read_walks, shipped_scenarios
-from crowd_drawing.picture import Picture, colours_of
-from crowd_drawing.surroundings import draw_surroundings
+from crowd_drawing.picture import Picture, colours_of, draw_surroundings
 from crowd_experiments.records import read_tracks
 from crowd_experiments.style import new_figure, save
 
 STEP = 0.5  # [s] between two moments that are measured; people hardly move in a tick
 RADIUS = 2.0  # [m] of the disc in which people are counted
 SPAN = 1.0  # [s] over which speeds are measured
+WIDTH = 5.6  # [inch] of a panel
+ROOM = 0.5  # [inch] for its title
+MOST_COLUMNS = 3  # of panels
+TITLE_WIDTH = 44  # [characters]
+BIN = 0.1  # [m] of the histogram
+FARTHEST = 4.0  # [m]
+MOST_OPAQUE = 30  # paths; more are paler
 
 
 def separations(track, tick):
@@ -60,15 +66,6 @@ def speed_by_density(speeds, densities, least=20):
                         if len(values) >= least]).reshape(-1, 3)
 
 
-WIDTH = 5.6  # [inch] of a panel
-ROOM = 0.5  # [inch] for its title
-MOST_COLUMNS = 3  # of panels
-TITLE_WIDTH = 44  # [characters]
-BIN = 0.1  # [m] of the histogram
-FARTHEST = 4.0  # [m]
-MOST_OPAQUE = 30  # paths; more are paler
-
-
 def scenario_of(file):
     """Returns the scenario of a file of trajectories: NAME.yaml beside it, else the package's; None without either."""
     beside = file.with_suffix('.yaml')
@@ -88,31 +85,23 @@ def draw_paths(target, groups):
     figure, axes = new_figure(rows, columns, WIDTH * columns, WIDTH * rows)
     ratios = []
     for panel, (label, sources) in zip(axes.flat, groups.items()):
-        _, walks = read_walks(sources[0].file, None)
-        width, height = draw_walks(Picture(panel), scene_of(sources[0].file), walks).frame()
+        (_, walks), scene, picture = read_walks(sources[0].file, None), scene_of(sources[0].file), Picture(panel)
+        draw_surroundings(picture, scene, 0.0)
+        for obstacle in scene.obstacles:
+            picture.draw_obstacle(obstacle, max(walk[-1][0] for walk in walks.values()) * scene.tick)
+        opacity = min(0.9, max(0.15, MOST_OPAQUE / len(walks)))
+        for (agent, walk), colour in zip(sorted(walks.items()), colours_of(len(walks))):
+            places, radius = numpy.array(walk)[:, 1:], scene.radius_of(agent)
+            picture.show(places, radius)
+            panel.plot(*places.T, color=colour, linewidth=1.2, alpha=opacity, zorder=5)
+            picture.disc(places[-1], radius, fill=False, edgecolor=colour, alpha=opacity, zorder=6)
+        width, height = picture.frame()
         ratios.append(height / width)
         panel.set(xlabel='x [m]', ylabel='y [m]', title='\n'.join(textwrap.wrap(label, TITLE_WIDTH)))
     for panel in list(axes.flat)[len(groups):]:
         panel.set_axis_off()
     figure.set_size_inches(WIDTH * columns, (min(1.5, max(ratios)) * WIDTH + ROOM) * rows)
     return save(figure, target)
-
-
-def draw_walks(picture, scene, walks):
-    """Draws the paths of an episode in its scene. Returns the picture."""
-    draw_surroundings(picture, scene, 0.0)
-    for wall in scene.walls:
-        picture.draw_wall(wall)
-    for obstacle in scene.obstacles:
-        picture.draw_obstacle(obstacle, max(walk[-1][0] for walk in walks.values()) * scene.tick)
-    opacity = min(0.9, max(0.15, MOST_OPAQUE / len(walks)))
-    for (agent, walk), colour in zip(sorted(walks.items()), colours_of(len(walks))):
-        places, radius = numpy.array(walk)[:, 1:], scene.radius_of(agent)
-        for corner in (places.min(axis=0), places.max(axis=0)):
-            picture.show(corner, radius)
-        picture.axes.plot(*places.T, color=colour, linewidth=1.2, alpha=opacity, zorder=5)
-        picture.disc(places[-1], radius, fill=False, edgecolor=colour, alpha=opacity, zorder=6)
-    return picture
 
 
 def tracks_of(sources):

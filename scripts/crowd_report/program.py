@@ -1,13 +1,15 @@
-"""The program `report`."""
-import os
+"""The program `report`, and the chapters of its pages."""
 import pathlib
 import tempfile
 
-from crowd_drawing.errors import InputError, check_output
+from crowd_curves.program import default_window, draw_curves, measures_of, read_run
+from crowd_drawing.errors import InputError, check_output, replaced
+from crowd_drawing.files import DEFAULT_TICK
 from crowd_experiments.arguments import add_file, parser_of
-from crowd_experiments.pages import write_page
-from crowd_report.chapters import chapters_of
-from crowd_report.tables import HEADERS, LOG, RECORD, source_of
+from crowd_experiments.pages import Chapter, write_page
+from crowd_report.figures import draw_paths, draw_separations, draw_speeds, scenario_of
+from crowd_report.tables import (HEADERS, LOG, METRICS, RECORD, TRAJECTORIES, comparison_rows, metrics_rows, of_kind,
+                                 source_of)
 
 EXAMPLES = '''examples:
   for table in anticipation human; do mkdir -p $table
@@ -17,44 +19,77 @@ EXAMPLES = '''examples:
   report one=a/metrics.csv other=b/metrics.csv --training one=a/learning.csv other=b/learning.csv --output report.html
 
 The kind of a file is recognised by its header: ''' + '; '.join(program for _, program in HEADERS.values()) + '''.
-Files with the same label are runs of the same thing, such as seeds; the default label is the name of the folder.
-Exit status: 0 success, 1 an error, 2 wrong usage, 130 interrupted.'''
+Files with the same label are runs of the same thing, such as seeds; the default label is the name of the folder.'''
 
 
-def parser():
-    """Returns the parser of the command line."""
-    result = parser_of('report',
-                       'Writes a page with the results of runs, which needs no other file: metrics, comparison, '
-                       'learning curves, paths, separation, speed against density.', EXAMPLES)
-    result.add_argument('files', nargs='*', metavar='[LABEL=]CSV', help='results of `evaluate`, see below')
-    result.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV',
-                        help='logs or records of `train`')
-    add_file(result, '--output', required=True, metavar='FILE.html', help='the page')
-    result.add_argument('--title', default='Crowd report', help='title of the page (default: %(default)s)')
-    return result
+def chapters_of(sources, training, folder):
+    """Returns the chapters for which there are files. Figures are written to a folder."""
+    groups, records = of_kind(sources, METRICS), of_kind(sources, RECORD)
+    metrics, comparison = Chapter('metrics', 'Metrics'), Chapter('comparison', 'Comparison')
+    if groups:
+        metrics.add_text('Success: people who reach their goals in time. Contact: bodies overlap. Collision: another '
+                         'body is within the collision radius. Path and time are ratios to the straight way at full '
+                         'speed. With several runs: mean ± half of the 95 % confidence interval (t).')
+        metrics.add_table('Metrics of the runs', *metrics_rows(groups))
+    if len(records) > 1:
+        comparison.add_text(f'Differences from {next(iter(records))}, with 95 % confidence intervals by bootstrap '
+                            '(2000 samples with replacement, percentiles). The samples are the means of the runs if a '
+                            'label has several, else the means of its episodes.')
+        comparison.add_table('Differences', *comparison_rows(records))
+    learning = Chapter('learning', 'Learning curves')
+    for kind in dict.fromkeys(source.kind for source in training):  # logs and records have other columns
+        runs = [read_run(source.label, source.file) for source in training if source.kind == kind]
+        window = default_window(runs)
+        learning.add_figure(draw_curves(folder / f'curves_{kind}.png', runs, measures_of(runs), window),
+                            f'Means over {window} episodes and over the runs, with 95 % confidence bands (t).')
+    paths, crowding = Chapter('paths', 'Paths'), Chapter('crowding', 'Separation, and speed against density')
+    add_walking(paths, crowding, of_kind(sources, TRAJECTORIES), folder)
+    return [chapter for chapter in (metrics, comparison, learning, paths, crowding) if chapter.parts]
+
+
+def add_walking(paths, crowding, groups, folder):
+    """Adds paths, separations, and speeds at densities."""
+    files = [source.file for sources in groups.values() for source in sources]
+    for scenario in dict.fromkeys(file.stem for file in files):
+        chosen = {label: [source for source in sources if source.file.stem == scenario]
+                  for label, sources in groups.items()}
+        chosen = {label: sources for label, sources in chosen.items() if sources}
+        unknown = [str(source.file) for sources in chosen.values() for source in sources
+                   if scenario_of(source.file) is None]
+        note = f" Scenario unknown, a tick of {DEFAULT_TICK} s assumed: {', '.join(unknown)}." if unknown else ''
+        name = f'{scenario}.png'
+        paths.add_figure(draw_paths(folder / f'paths_{name}', chosen),
+                         f'{scenario}: paths of the first episode; circles: ends.{note}')
+        crowding.add_figure(draw_separations(folder / f'separation_{name}', chosen),
+                            f'{scenario}: distance from each person to the nearest other one, every 0.5 s.{note}')
+        crowding.add_figure(
+            draw_speeds(folder / f'speed_{name}', chosen), f'{scenario}: speed over one second against the number of '
+            'people within 2 m, including the person, divided by the area. Bars: standard deviation; at least 20 '
+            f'values each.{note}')
 
 
 def write_report(output, title, sources, training):
     """Writes the page; it appears when it is complete. Raises InputError, OSError."""
-    part = output.with_name(f'.{output.name}.part')
-    try:
-        with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
-            chapters = chapters_of(sources, training, pathlib.Path(folder))
-            labels = dict.fromkeys(source.label for source in [*sources, *training])
-            write_page(part, title, None, chapters, f"{len(sources) + len(training)} files of {', '.join(labels)}.")
-        os.replace(part, output)
-    finally:
-        part.unlink(missing_ok=True)
+    with replaced(output) as part, tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
+        chapters = chapters_of(sources, training, pathlib.Path(folder))
+        labels = dict.fromkeys(source.label for source in [*sources, *training])
+        write_page(part, title, None, chapters, f"{len(sources) + len(training)} files of {', '.join(labels)}.")
 
 
 def main(words=None):
-    """Runs the program with command line words."""
-    checked = parser()
-    arguments = checked.parse_args(words)
+    parser = parser_of('report',
+                       'Writes a page with the results of runs, which needs no other file: metrics, comparison, '
+                       'learning curves, paths, separation, speed against density.', EXAMPLES)
+    parser.add_argument('files', nargs='*', metavar='[LABEL=]CSV', help='results of `evaluate`, see below')
+    parser.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV',
+                        help='logs or records of `train`')
+    add_file(parser, '--output', required=True, metavar='FILE.html', help='the page')
+    parser.add_argument('--title', default='Crowd report', help='title of the page (default: %(default)s)')
+    arguments = parser.parse_args(words)
     if not (arguments.files or arguments.training):
-        checked.error('expected at least one file')
+        parser.error('expected at least one file')
     if arguments.output.suffix.lower() not in ('.html', '.htm'):
-        checked.error(f"--output: expected FILE.html, got '{arguments.output}'")
+        parser.error(f"--output: expected FILE.html, got '{arguments.output}'")
     check_output(arguments.output)
     sources, training = ([source_of(word) for word in words] for words in (arguments.files, arguments.training))
     for source in training:

@@ -1,15 +1,14 @@
 """The files of a report, recognised by their headers, and its tables: metrics, and differences of runs with their
 confidence intervals."""
-import dataclasses
 import pathlib
+import typing
 
 import numpy
 import pandas
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import HEADER
 from crowd_experiments.arguments import labelled
-from crowd_experiments.confidence import bootstrap_difference, mean_interval
-from crowd_experiments.records import read_csv
+from crowd_experiments.records import bootstrap_difference, mean_interval, read_csv
 
 METRICS, LOG, RECORD, TRAJECTORIES = 'metrics', 'log', 'record', 'trajectories'
 # First columns, by kind; those of a log begin with those of a record.
@@ -17,10 +16,18 @@ HEADERS = {METRICS: ('scenario,instances,success_pct', '`evaluate --csv`'),
            LOG: ('episode,scenario,agents', '`train --log`'),
            RECORD: ('episode,scenario,agent', '`train` or `evaluate --record`'),
            TRAJECTORIES: (','.join(HEADER), '`evaluate --trajectories`')}
+# Column of `evaluate --csv`, title, decimals.
+METRIC_COLUMNS = [('success_pct', 'success [%]', 1), ('contact_pct', 'contact [%]', 1),
+                  ('collision_pct', 'collision [%]', 1), ('path_ratio', 'path', 3), ('time_ratio', 'time', 3),
+                  ('turn_rad_per_m', 'turning [rad/m]', 2), ('blocked_per_agent', 'blocked', 2)]
+# Column of a record, title, factor, decimals.
+MEASURES = [('arrived', 'success [%]', 100, 1), ('touched', 'contact [%]', 100, 1),
+            ('collided', 'collision [%]', 100, 1), ('path_ratio', 'path', 1, 3), ('time_ratio', 'time', 1, 3),
+            ('turn_per_metre', 'turning [rad/m]', 1, 2)]
+OF_ALL = ('arrived', 'touched', 'collided')  # the others are those of people who have arrived, as in the metrics
 
 
-@dataclasses.dataclass(frozen=True)
-class Source:
+class Source(typing.NamedTuple):
     """A file of a report. Files with the same label are runs of the same thing, such as seeds."""
     label: str
     kind: str
@@ -57,17 +64,6 @@ def of_kind(sources, kind):
     return found
 
 
-# Column of `evaluate --csv`, title, decimals.
-METRIC_COLUMNS = [('success_pct', 'success [%]', 1), ('contact_pct', 'contact [%]', 1),
-                  ('collision_pct', 'collision [%]', 1), ('path_ratio', 'path', 3), ('time_ratio', 'time', 3),
-                  ('turn_rad_per_m', 'turning [rad/m]', 2), ('blocked_per_agent', 'blocked', 2)]
-# Column of a record, title, factor, decimals.
-MEASURES = [('arrived', 'success [%]', 100, 1), ('touched', 'contact [%]', 100, 1),
-            ('collided', 'collision [%]', 100, 1), ('path_ratio', 'path', 1, 3), ('time_ratio', 'time', 1, 3),
-            ('turn_per_metre', 'turning [rad/m]', 1, 2)]
-OF_ALL = ('arrived', 'touched', 'collided')  # the others are those of people who have arrived, as in the metrics
-
-
 def metrics_rows(groups):
     """Returns header and rows of the table of metrics, with the mean over several files of a label."""
     rows = []
@@ -80,7 +76,6 @@ def metrics_rows(groups):
 
 
 def metric_cell(values, decimals):
-    """Returns the text of a metric."""
     mean, low, _ = mean_interval(values[numpy.isfinite(values)])
     if not numpy.isfinite(mean):
         return '-'
@@ -111,15 +106,10 @@ def comparison_rows(groups):
                 first, second = (factor * numpy.array(samples(groups[name], scenario, column))
                                  for name in (labels[0], label))
                 if len(first) and len(second):
-                    rows.append([label, scenario, title, *comparison_cells(first, second, decimals)])
+                    means = [f'{values.mean():.{decimals}f}' for values in (first, second)]
+                    difference, *ends = bootstrap_difference(first, second)
+                    known = min(len(first), len(second)) > 1
+                    interval = ' to '.join(f'{end:+.{decimals}f}' for end in ends) if known else 'unknown: one value'
+                    differs = ('no' if ends[0] <= 0 <= ends[1] else 'yes') if known else ''
+                    rows.append([label, scenario, title, *means, f'{difference:+.{decimals}f}', interval, differs])
     return ['', 'scenario', '', labels[0], 'this', 'difference', '95 % interval', 'differs'], rows
-
-
-def comparison_cells(first, second, decimals):
-    """Returns both means, their difference, its interval, and whether zero lies outside."""
-    means = [f'{values.mean():.{decimals}f}' for values in (first, second)]
-    difference, low, high = bootstrap_difference(first, second)
-    if min(len(first), len(second)) < 2:
-        return [*means, f'{difference:+.{decimals}f}', 'unknown: one value', '']
-    return [*means, f'{difference:+.{decimals}f}', f'{low:+.{decimals}f} to {high:+.{decimals}f}',
-            'yes' if low > 0 or high < 0 else 'no']

@@ -4,7 +4,7 @@ import threading
 import time
 
 import rospy
-from crowd_launching.launch_end import end_launch
+from crowd_launching.program import end_launch
 from social_crowd.msg import EpisodeResult, RobotResult, RobotStates
 from social_crowd.srv import Reset
 
@@ -21,7 +21,6 @@ def columns():
 
 
 def row_of(result, robot):
-    """Returns the cells of a robot in an episode."""
     values = {**PEOPLE, 'episode': str(result.instance), 'scenario': result.scenario, 'robot': robot.robot}
     return [values[name] if name in values else text_of(getattr(robot, name)) for name in columns()]
 
@@ -66,7 +65,6 @@ class Recorder:
                 self.subscribers[0].unregister()
 
     def take(self, result):
-        """Writes the results of an episode."""
         if self.first is None or result.episode < self.first or self.is_done.is_set():
             return
         for robot in result.robots:
@@ -105,7 +103,6 @@ def wait_for(event, seconds=math.inf):
 
 
 def main():
-    """Records until the node is shut down. Returns the exit status."""
     rospy.init_node('record_robots')
     name = rospy.get_param('~file', '')
     try:

@@ -1,19 +1,17 @@
 """Reads the file of a sweep."""
-import dataclasses
 import difflib
 import itertools
 import pathlib
+import typing
 
-import yaml
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, read_documents
 from crowd_drawing.files import find_scenario
 
-KEYS = ('config', 'q_table', 'parameters', 'scenario_parameters', 'seeds', 'train', 'evaluate')
-TRAIN_KEYS, EVALUATE_KEYS = ('episodes',), ('scenarios', 'episodes', 'seed', 'trajectories')
+KEYS = {'': ('config', 'q_table', 'parameters', 'scenario_parameters', 'seeds', 'train', 'evaluate'),
+        'train': ('episodes',), 'evaluate': ('scenarios', 'episodes', 'seed', 'trajectories')}
 
 
-@dataclasses.dataclass(frozen=True)
-class Sweep:
+class Sweep(typing.NamedTuple):
     """A grid of parameters. Without a training configuration, a Q-table is evaluated."""
     file: pathlib.Path
     config: pathlib.Path  # or None
@@ -29,24 +27,16 @@ class Sweep:
 
     def combinations(self):
         """Returns all combinations as pairs of changes: of the configuration, and of the scenarios."""
-        keys = [*self.parameters, *self.scenario_parameters]
-        values = [*self.parameters.values(), *self.scenario_parameters.values()]
-        cut = len(self.parameters)
-        return [(dict(zip(keys[:cut], chosen[:cut])), dict(zip(keys[cut:], chosen[cut:])))
-                for chosen in itertools.product(*values)]
+        grids = ([dict(zip(grid, chosen)) for chosen in itertools.product(*grid.values())]
+                 for grid in (self.parameters, self.scenario_parameters))
+        return list(itertools.product(*grids))
 
 
 def read_sweep(file):
     """Reads a Sweep; paths are relative to the file. Raises InputError, OSError."""
-    try:
-        with open(file, encoding='utf-8') as stream:
-            given = yaml.safe_load(stream)
-    except yaml.YAMLError as error:
-        raise InputError(f"{file}: not YAML: {' '.join(str(error).split())}") from None
     reader = Reader(file)
-    given = reader.map(given, '', KEYS)
-    train = reader.map(given.get('train') or {}, 'train', TRAIN_KEYS)
-    evaluate = reader.map(given.get('evaluate') or {}, 'evaluate', EVALUATE_KEYS)
+    given = reader.map((read_documents(file) or [None])[0], '')
+    train, evaluate = (reader.map(given.get(key) or {}, key) for key in ('train', 'evaluate'))
     if ('config' in given) == ('q_table' in given):
         raise InputError(f'{file}: expected either config or q_table')
     if 'q_table' in given and ('parameters' in given or train):
@@ -54,12 +44,13 @@ def read_sweep(file):
                          'parameters, and no train')
     scenarios = evaluate.get('scenarios')
     reader.need(isinstance(scenarios, list) and scenarios, 'evaluate.scenarios', 'a list of scenarios', scenarios)
+    trajectories = evaluate.get('trajectories', True)
+    reader.need(isinstance(trajectories, bool), 'evaluate.trajectories', 'true or false', trajectories)
     return Sweep(pathlib.Path(file), reader.path(given, 'config'), reader.path(given, 'q_table'),
                  reader.grid(given, 'parameters'), reader.grid(given, 'scenario_parameters'),
-                 reader.seeds(given.get('seeds', 1)), reader.count(train, 'train', 'episodes', None, 1),
-                 [reader.scenario(name) for name in scenarios],
-                 reader.count(evaluate, 'evaluate', 'episodes', 20, 1),
-                 reader.count(evaluate, 'evaluate', 'seed', None, 0), reader.flag(evaluate, 'trajectories'))
+                 reader.seeds(given.get('seeds', 1)), reader.count(train, 'train.episodes', None, 1),
+                 [reader.scenario(name) for name in scenarios], reader.count(evaluate, 'evaluate.episodes', 20, 1),
+                 reader.count(evaluate, 'evaluate.seed', None, 0), trajectories)
 
 
 class Reader:
@@ -72,15 +63,14 @@ class Reader:
         if not condition:
             raise InputError(f"{self.file}: {where + ': ' if where else ''}expected {expected}, got {got!r}")
 
-    def map(self, value, where, keys):
+    def map(self, value, where):
         """Returns a map, all of whose keys are known."""
         self.need(isinstance(value, dict), where, 'a map', value)
-        for key in value:
-            near = difflib.get_close_matches(str(key), keys, 1)
+        for key in (key for key in value if key not in KEYS[where]):
+            near = difflib.get_close_matches(str(key), KEYS[where], 1)
             hint = f", did you mean '{near[0]}'?" if near else '.'
-            if key not in keys:
-                raise InputError(f"{self.file}: {where + ': ' if where else ''}unknown key '{key}'{hint} Known are "
-                                 f"{', '.join(keys)}")
+            raise InputError(f"{self.file}: {where + ': ' if where else ''}unknown key '{key}'{hint} Known are "
+                             f"{', '.join(KEYS[where])}")
         return value
 
     def grid(self, given, key):
@@ -99,18 +89,13 @@ class Reader:
         if is_whole(value, 1):
             return list(range(1, value + 1))
         fits = isinstance(value, list) and value and all(is_whole(seed, 0) for seed in value)
-        fits = fits and len(set(value)) == len(value)
-        self.need(fits, 'seeds', 'a number of seeds, or a list of different ones', value)
+        self.need(fits and len(set(value)) == len(value), 'seeds', 'a number of seeds, or a list of different ones',
+                  value)
         return value
 
-    def count(self, given, where, key, default, least):
-        value = given.get(key, default)
-        self.need(value is default or is_whole(value, least), f'{where}.{key}', f'a whole number from {least}', value)
-        return value
-
-    def flag(self, given, key):
-        value = given.get(key, True)
-        self.need(isinstance(value, bool), f'evaluate.{key}', 'true or false', value)
+    def count(self, given, path, default, least):
+        value = given.get(path.split('.')[1], default)
+        self.need(value is default or is_whole(value, least), path, f'a whole number from {least}', value)
         return value
 
     def path(self, given, key):
@@ -134,5 +119,4 @@ class Reader:
 
 
 def is_whole(value, least):
-    """Returns whether a value is a whole number, at least `least`."""
     return isinstance(value, int) and not isinstance(value, bool) and value >= least

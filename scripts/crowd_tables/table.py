@@ -1,14 +1,21 @@
-"""Reads Q-table files (docs/q_tables.md, "Q-table files"), and sums up their rows."""
+"""Q-table files (docs/q_tables.md, "Q-table files"): reading them, sums of their rows, and what rows and actions mean
+(docs/state_sets.md, "State sets", "Actions")."""
 import dataclasses
 import itertools
+import math
+import subprocess
+import typing
 
 import numpy
 import yaml
 from crowd_drawing.errors import InputError
 
+MAGIC = 'social_crowd Q-table 1'
+NEEDED = ('state_set', 'action_set', 'rows', 'actions', 'visited_rows')
+MOST_VALUES = 10**8  # of a table; they have to fit in memory
+
 
 def row_visits(table):
-    """Returns the number of visits of each row."""
     return table.visits.sum(axis=1)
 
 
@@ -30,13 +37,7 @@ def greedy_actions(table):
     return table.values.argmax(axis=1)
 
 
-MAGIC = 'social_crowd Q-table 1'
-NEEDED = ('state_set', 'action_set', 'rows', 'actions', 'visited_rows')
-MOST_VALUES = 10**8  # of a table; they have to fit in memory
-
-
-@dataclasses.dataclass(frozen=True)
-class Table:
+class Table(typing.NamedTuple):
     """A Q-table: its header, and visits and values as arrays (row, action). Values that were never visited are 0."""
     file: str
     header: dict
@@ -55,13 +56,20 @@ def read_table(file):
         visits, values = numpy.zeros(shape, dtype=numpy.int64), numpy.zeros(shape)
         first = len(lines) + 3  # number of the first line with a row
         for line in range(first, first + header['visited_rows']):
-            row, *cells = next(stream, '').split() or ['']
-            put(f'{file}:{line}', row, cells, visits, values)
+            try:
+                numbers = [float(cell) for cell in next(stream, '').split()]
+                row = int(numbers[0])
+            except (ValueError, IndexError):
+                numbers, row = [], -1
+            if not (0 <= row < shape[0] and len(numbers) == 1 + 2 * shape[1] and numpy.isfinite(numbers).all()
+                    and numbers[0] == row):
+                raise InputError(f'{file}:{line}: expected a row from 0 to {shape[0] - 1}, with visits and value of '
+                                 f'{shape[1]} actions')
+            visits[row], values[row] = numbers[1::2], numbers[2::2]
     return Table(str(file), header, visits, values)
 
 
 def header_of(file, text):
-    """Returns the header as a map."""
     try:
         header = yaml.safe_load(text)
         missing = [key for key in NEEDED if key not in header]
@@ -81,14 +89,82 @@ def header_of(file, text):
     return header
 
 
-def put(place, row, cells, visits, values):
-    """Stores a line: the number of a row, and visits and value of each action."""
+def action_names(table):
+    given = table.header['action_set']
     try:
-        number = int(row)
-        numbers = [float(cell) for cell in cells]
-    except ValueError:
-        number, numbers = -1, []
-    if not (0 <= number < len(visits) and len(numbers) == 2 * visits.shape[1] and numpy.isfinite(numbers).all()):
-        raise InputError(f'{place}: expected a row from 0 to {len(visits) - 1}, with visits and value of '
-                         f'{visits.shape[1]} actions')
-    visits[number], values[number] = numbers[::2], numbers[1::2]
+        names = ACTION_NAMES.get(given.get('type'), lambda _: [])(given)
+    except (TypeError, ValueError) as error:
+        raise InputError(f'{table.file}: action_set: {error}') from None
+    return names if len(names) == table.header['actions'] else [f'action {i}' for i in range(table.header['actions'])]
+
+
+def kings_moves(given):
+    count = given.get('rotations', 8)
+    if count < 1:
+        raise ValueError(f'rotations: expected a whole number from 1, got {count}')
+    names = [f'turn by {(360 / count * i + 180) % 360 - 180:+g}°' for i in range(count)]
+    names[0] = 'ahead'
+    return names + (['stay'] if given.get('stay', False) else [])
+
+
+def goal_relative(given):
+    names = [f'{side}{heading:g}° from the goal{slow}'
+             for key, slow in (('headings', ''), ('slow_headings', ', slow'))
+             for heading in given.get(key, []) for side in (('',) if heading in (0, 180) else ('left ', 'right '))]
+    return names + (['stay'] if given.get('stay', True) else [])
+
+
+ACTION_NAMES = {'kings_moves': kings_moves, 'goal_relative': goal_relative}
+# Quantities of the panels, rows and columns of a picture; other state sets have a panel for each class of the first.
+ARRANGEMENTS = {'nearest_obstacle': ([], [1], [0]), 'anticipation': ([], [0, 1], [2, 3, 4, 5])}
+
+
+@dataclasses.dataclass(frozen=True)
+class Quantity:
+    """A quantity with its classes."""
+    name: str
+    classes: list  # their names
+
+    def __len__(self):
+        return len(self.classes)
+
+
+class Meaning(typing.NamedTuple):
+    """The quantities of a state set, and how a picture arranges them: one panel for each combination of the quantities
+    `panels`, with the quantities `rows` from top to bottom and `columns` from left to right, outer ones first (all
+    indices of `quantities`). `digits`: array (row, quantity) of class numbers; `extra`: names of further rows."""
+    type: str
+    quantities: list
+    panels: list
+    rows: list
+    columns: list
+    digits: numpy.ndarray
+    extra: list
+
+    def describe(self, row):
+        if row >= len(self.digits):
+            return self.extra[row - len(self.digits)]
+        return '; '.join(f'{quantity.name}: {quantity.classes[digit]}'
+                         for quantity, digit in zip(self.quantities, self.digits[row]))
+
+
+def meaning_of(table, train):
+    """Returns the Meaning of a Table's rows, which the program `train` describes. Raises InputError if the state set is
+    unknown or has another number of rows."""
+    state_set = yaml.safe_dump(table.header['state_set'], default_flow_style=True, width=math.inf).strip()
+    done = subprocess.run([train, '--describe-rows', state_set], capture_output=True, encoding='utf-8', check=False)
+    if done.returncode != 0:
+        problem = done.stderr.partition('--describe-rows: ')[2].splitlines()[0]
+        raise InputError(f"{table.file}: {problem.replace('line 1: ', '')}")
+    found = yaml.load(done.stdout, yaml.CSafeLoader)
+    quantities = [Quantity(**quantity) for quantity in found['quantities']]
+    sizes = list(map(len, quantities))  # without a list of rows, the first quantity is the most significant digit
+    digits = numpy.array(found['rows']) if found['rows'] else \
+        numpy.stack(numpy.unravel_index(numpy.arange(math.prod(sizes)), sizes), axis=1)
+    rows = len(digits) + len(found['extra'])
+    if rows != table.header['rows']:
+        raise InputError(f"{table.file}: rows: expected {rows}, the rows of the state set, got {table.header['rows']}")
+    kind, count = table.header['state_set']['type'], len(quantities)
+    middle = 1 + count // 2 if kind == 'condensed_occupancy' else (count + 1) // 2
+    default = [0], list(range(1, middle)), list(range(middle, count))
+    return Meaning(kind, quantities, *ARRANGEMENTS.get(kind, default), digits, found['extra'])

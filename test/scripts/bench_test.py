@@ -5,8 +5,8 @@ import pathlib
 import signal
 
 import pytest
-from crowd_bench import profile, table, table as document
-from crowd_bench.catalogue import BENCHMARKS
+from crowd_bench import callgrind as profile, table, table as document
+from crowd_bench.table import BENCHMARKS
 from crowd_sweeps import sweeps as rank_scaling
 from crowd_sweeps.sweeps import SWEEPS
 from programs import assert_says, in_package, read_bytes, read_text, wait_for

@@ -8,8 +8,8 @@ import re
 import numpy
 import pandas
 import pytest
-from crowd_comparison import bars
 from crowd_comparison.avoidability import Contact, Recording
+from crowd_comparison.experiments.benchmark import bar_rows
 from crowd_comparison.experiments.lanes import lane_order, order_above_chance, order_over_time
 from crowd_comparison.models import judged, largest_difference, not_slower, read_metrics, time_against
 from crowd_drawing.files import Scene
@@ -160,7 +160,7 @@ class BarsTest:
 
     def test_seeds_that_meet_the_bars(self):
         orca = self.figures((1.0, 1.0))
-        rows = {row[0]: row for row in bars.rows(
+        rows = {row[0]: row for row in bar_rows(
             [self.figures((0.9, 0.9)), self.figures((1.2, 1.2), contact=0.5)], orca, [5, 70])}
         assert rows['time / ORCA, geometric mean'][1:] == ['≤ 1.000', '0.900', '1.200', '1 of 2', '≤ 0.900', '1 of 2']
         assert rows['contact %, worst scenario'][4] == '1 of 2'

@@ -8,9 +8,14 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / 'scripts'))
-from crowd_figures import gait  # noqa: E402
-from crowd_figures.shapes import ellipse, limb, loft, volume  # noqa: E402
+from crowd_figures import people as gait  # noqa: E402
+from crowd_figures.shapes import ellipse, limb, loft  # noqa: E402
 from crowd_figures.shapes import TRIANGLE  # noqa: E402
+
+
+def volume(shape):
+    """Volume of a closed shape [m^3]; negative if its corners are clockwise."""
+    return float(numpy.einsum('ij,ij->i', shape[:, 0], numpy.cross(shape[:, 1], shape[:, 2])).sum() / 6)
 
 
 def read(file):

@@ -6,10 +6,9 @@ import PIL.Image
 import numpy
 import pytest
 from crowd_drawing.errors import InputError
-from crowd_tables import state_sets
-from crowd_tables.drawing import arranged, explanation
-from crowd_tables.state_sets import action_names
-from crowd_tables.table import greedy_actions, read_table, row_values, row_visits
+from crowd_tables import table as state_sets
+from crowd_tables.program import arranged, explanation
+from crowd_tables.table import action_names, greedy_actions, read_table, row_values, row_visits
 from learning_files import QTableFile, q_table_text
 from programs import ANTICIPATION_TABLE, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE, assert_says, in_package, read_text
 from roslib.packages import find_node

@@ -5,11 +5,10 @@ import pathlib
 
 import numpy
 import pytest
-from crowd_film.frames import FramePainter
+from crowd_film.stage import DPI, FOOT, FramePainter, Stage
 from crowd_film.pictures import write_gif, write_mp4
-from crowd_film.production import Settings, frame_times
-from crowd_film.stage import DPI, FOOT, Stage
-from crowd_recordings.shown import read_shown, track_of
+from crowd_film.program import Settings, frame_times
+from crowd_recordings.formats import read_shown, track_of
 from film_files import LINE, WALKS, frames_of
 
 

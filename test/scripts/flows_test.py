@@ -5,9 +5,9 @@ import pathlib
 import numpy
 import pytest
 import yaml
-from crowd_flows import corridors, door_flow, fundamental_diagram, measurements
+from crowd_flows import door_flow, fundamental_diagram, fundamental_diagram as corridors, measurements
 from crowd_flows.measurements import evaluate, read_tracks
-from crowd_flows.time_gap_table import add_time_gap, with_time_gap
+from crowd_flows.program import add_time_gap, with_time_gap
 from programs import ANTICIPATION_TABLE, in_package, tools_folder
 
 ANTICIPATION = pathlib.Path(ANTICIPATION_TABLE)

@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 import pytest
-from crowd_bench import callgrind, instruction_counts
+from crowd_bench import callgrind, callgrind as instruction_counts
 from crowd_experiments.runs import RunError
 from programs import ANTICIPATION_TABLE, assert_same_recording, assert_says, in_package, read_bytes, tools_folder
 

@@ -6,7 +6,7 @@ import xmlrpc.client
 
 import pytest
 import rosgraph
-from crowd_launching.launch_end import free_port
+from crowd_launching.program import free_port
 from programs import ANTICIPATION_TABLE, PATIENCE, assert_says, in_package, wait_for
 from roslib.packages import find_node
 

@@ -7,10 +7,9 @@ import subprocess
 import PIL.Image
 import numpy
 import pytest
-from crowd_curves.drawing import measures_of
-from crowd_curves.records import band_of, default_window, read_run, window_means
+from crowd_curves.program import band_of, default_window, measures_of, read_run, window_means
 from crowd_drawing.errors import InputError
-from crowd_experiments.confidence import bootstrap_difference, mean_interval, t_quantile
+from crowd_experiments.records import bootstrap_difference, mean_interval, t_quantile
 from learning_files import config_text
 from programs import CIRCLE6, PATIENCE, assert_says, in_package
 

@@ -6,8 +6,7 @@ import numpy
 import PIL.Image
 import pytest
 from crowd_drawing.errors import InputError
-from crowd_drawing.files import is_open, read_scene
-from crowd_drawing.maps import FREE_COLOUR, OCCUPIED_COLOUR, UNKNOWN_COLOUR, read_map
+from crowd_drawing.files import FREE_COLOUR, OCCUPIED_COLOUR, UNKNOWN_COLOUR, is_open, read_map, read_scene
 from programs import PATIENCE, assert_says, in_package, read_text
 
 WALK = 'instance,tick,agent,x,y\n' + ''.join(f'0,{tick},{agent},{tick / 10},{agent}\n'

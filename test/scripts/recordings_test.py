@@ -6,8 +6,7 @@ import subprocess
 
 import pytest
 from crowd_drawing.errors import InputError
-from crowd_recordings.formats import read_recording
-from crowd_recordings.shown import read_shown
+from crowd_recordings.formats import read_recording, read_shown
 from programs import CIRCLE6, NEAREST_TABLE, PATIENCE, assert_says, in_package, read_text
 
 CSV = 'instance,tick,agent,x,y\n0,0,0,1.5,2\n0,0,1,-3,0.1\n0,1,0,1.6,2\n1,0,0,9,9\n'

@@ -9,7 +9,7 @@ import statistics
 
 import pytest
 import yaml
-from crowd_drawing.motion import place_of
+from crowd_drawing.files import place_of
 from crowd_experiments.pages import Chapter
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import Setting, changed, vary_config, vary_scenario

@@ -10,8 +10,7 @@ import yaml
 from crowd_drawing.errors import InputError
 from crowd_experiments.variations import Setting
 from crowd_report.figures import scene_of
-from crowd_sweep.plan import label_of, plan
-from crowd_sweep.program import EXAMPLES
+from crowd_sweep.plan import EXAMPLES, label_of, plan
 from crowd_sweep.sweep_file import read_sweep
 from learning_files import config_text
 from programs import (CIRCLE6, NEAREST_TABLE, PATIENCE, assert_says, in_package, page_text, read_text, tools_folder,

@@ -3,7 +3,7 @@ import math
 
 import numpy
 import pytest
-from crowd_validation import cases, crowds, movement, plan
+from crowd_validation import crowds, movement, plan, program as cases
 
 
 def total_length(walls):

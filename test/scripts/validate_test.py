@@ -4,7 +4,7 @@ import os
 import stat
 
 import pytest
-from crowd_validation import cases
+from crowd_validation import program as cases
 from crowd_validation.evaluation import Result, load, store
 from crowd_validation.program import chapter_of
 from programs import assert_says, in_package, read_text, tools_folder, wait_for

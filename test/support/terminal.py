@@ -4,7 +4,7 @@ import socket
 import subprocess
 import urllib.parse
 
-from crowd_launching.launch_end import free_port
+from crowd_launching.program import free_port
 from programs import Folder, PACKAGE, PATIENCE, wait_for
 
 BAD = ('[ERROR]', '[FATAL]', 'Traceback', 'has died', 'escalating', 'exit code')

@@ -5,13 +5,12 @@ import yaml
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 from crowd_experiments.variations import vary_config
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 
 from ..models import (COLOURS, ORCA, OURS, TEXTS, benchmark_run, judged, not_slower, read_metrics, spread_row,
                       time_against)
 
 NAME = 'ablations'
-TITLE = TEXTS[NAME]['title']
 SEEDS = 3
 WHOLE = 'everything'
 # Changes of the training configuration, by the paths of keys.
@@ -39,7 +38,6 @@ def plan(setting):
 
 
 def report(setting):
-    """Returns the chapter, from the runs' metrics."""
     orca = read_metrics(setting.benchmark / 'reference.csv', ORCA)
     found = {ablation: [read_metrics(folder_of(setting, ablation, seed) / 'metrics.csv')
                         for seed in setting.seeds(SEEDS, 1)] for ablation in ablations_of(setting)}

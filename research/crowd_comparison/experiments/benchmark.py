@@ -1,17 +1,18 @@
 """The steering benchmark: learned models with several training seeds, compared with ORCA and social force."""
 import sys
+import typing
 
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 from crowd_experiments.runs import Run, processor_seconds
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 
-from .. import bars
-from ..models import (COLOURS, LEARNED, NAMES, ORCA, OURS, REFERENCES, TEXTS, benchmark_run, judged,
+from ..models import (COLOURS, EXCLUDED, LEARNED, NAMES, ORCA, OURS, REFERENCES, TEXTS, benchmark_run, judged,
                       largest_difference, not_slower, read_metrics, scenarios_of, spread_row, spread_text, time_against)
 
 NAME = 'benchmark'
-TITLE = TEXTS[NAME]['title']
+BAR_HEADER = ['metric', 'bar', 'seed 1', 'worst seed', 'bar met by', 'aim', 'aim met by']
+SLACK = 1e-9  # rounding error of floating-point sums, far below the printed precision
 SEEDS = 10
 QUICK_EPISODES = {'thesis_nearest': 20, 'thesis_occupancy': 20, 'anticipation': 5}
 COSTS = {'thesis_nearest': 2.0, 'thesis_occupancy': 12.0, 'anticipation': 14.0}  # [s]
@@ -27,24 +28,20 @@ def plan(setting):
         return []
     runs = [benchmark_run(setting, run_folder(setting, model, seed), setting.learning(model), seed,
                           QUICK_EPISODES[model], COSTS[model]) for seed in setting.seeds(SEEDS) for model in LEARNED]
-    return runs + ([scored_run(setting)] if (setting.benchmark / SCORER).is_file() else [])
+    if (setting.benchmark / SCORER).is_file():  # evaluates the shipped table with `evaluate` and with the scorer
+        runs.append(Run(setting.run_folder(NAME, 'scored'), [
+            [setting.tools / 'evaluate', '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'metrics.csv',
+             '--trajectories', 'trajectories', *scenarios_of(setting)],
+            [sys.executable, setting.benchmark / SCORER, setting.benchmark / 'scenarios', 'trajectories', '--csv',
+             'scored.csv']], cost=20.0))
+    return runs
 
 
 def run_folder(setting, model, seed):
     return setting.run_folder(NAME, f'{model}_{seed:02d}')
 
 
-def scored_run(setting):
-    """Returns a run that evaluates the shipped table with `evaluate` and with the benchmark's scorer."""
-    return Run(setting.run_folder(NAME, 'scored'), [
-        [setting.tool('evaluate'), '--q-table', setting.table(OURS), '--threads', 1, '--csv', 'metrics.csv',
-         '--trajectories', 'trajectories', *scenarios_of(setting)],
-        [sys.executable, setting.benchmark / SCORER, setting.benchmark / 'scenarios', 'trajectories', '--csv',
-         'scored.csv']], cost=20.0)
-
-
 def report(setting):
-    """Returns the chapter, from the runs' metrics."""
     seeds = setting.seeds(SEEDS)
     models = {model: [read_metrics(run_folder(setting, model, seed) / 'metrics.csv') for seed in seeds]
               for model in LEARNED}
@@ -52,7 +49,7 @@ def report(setting):
     orca = models[ORCA][0]
     chapter = Report(NAME, TEXTS, setting)
     chapter.say('intro', seeds=len(seeds))
-    chapter.tabulate('bars', bars.HEADER, bars.rows(models[OURS], orca, [
+    chapter.tabulate('bars', BAR_HEADER, bar_rows(models[OURS], orca, [
         processor_seconds(run_folder(setting, OURS, seed))[0] for seed in seeds]))
     columns = {
         'time / ORCA': (lambda f: time_against(f, orca), 3), 'not slower in': (lambda f: not_slower(f, orca), 0),
@@ -96,7 +93,6 @@ def add_times(chapter, models, orca):
 
 
 def add_score(chapter, setting):
-    """Adds the comparison with the benchmark's scorer."""
     if not (setting.benchmark / SCORER).is_file():
         chapter.say('no_scorer')
         return
@@ -105,3 +101,57 @@ def add_score(chapter, setting):
     difference = largest_difference(read_metrics(folder / 'metrics.csv'), scored)
     chapter.tabulate('scorer', ['scenarios', 'metrics compared', 'greatest difference'],
                      [[str(len(scored)), str(scored.size), f'{difference:.1g}']])
+
+
+class Bar(typing.NamedTuple):
+    """An upper or lower limit of a metric, and a stricter limit as an aim; either may be None."""
+    label: str
+    measure: typing.Callable
+    bar: float
+    aim: float
+    decimals: int = 2
+    at_least: bool = False
+
+    def row(self, seeds):
+        """Returns the cells of a row: the values of the seeds' metrics, compared with bar and aim."""
+        values = [self.measure(metrics) for metrics in seeds]
+        worst = min(values) if self.at_least else max(values)
+        first, worst = (f'{value:.{self.decimals}f}' for value in (values[0], worst))
+        return [self.label, self.limit(self.bar), first, worst, self.met(values, self.bar), self.limit(self.aim),
+                self.met(values, self.aim)]
+
+    def limit(self, limit):
+        return '' if limit is None else f"{'≥' if self.at_least else '≤'} {limit:.{self.decimals}f}"
+
+    def met(self, values, limit):
+        """Returns a text with the number of seeds that meet a limit."""
+        if limit is None:
+            return ''
+        count = sum(value >= limit - SLACK if self.at_least else value <= limit + SLACK for value in values)
+        return {len(values): 'all seeds', 0: 'none'}.get(count, f'{count} of {len(values)}')
+
+
+def bar_rows(seeds, orca, seconds):
+    """Returns a row for each bar: requirements and aims for the anticipation crowd, and whether they are met.
+    @param seeds metrics of each training seed, seed 1 first
+    @param orca metrics that time, path and turning are compared with
+    @param seconds processor time of each training [s]"""
+    count, turning = len(judged(orca)), judged(orca).turn_rad_per_m
+    bars = [
+        Bar('contact %, worst scenario', lambda f: f.contact_pct.max(), 0, 0),
+        Bar(f'clean %, worst scenario without {EXCLUDED}', lambda f: judged(f).clean_pct.min(), 100, 100, 0,
+            at_least=True),
+        Bar('clean %, worst scenario', lambda f: f.clean_pct.min(), None, 100, 0, at_least=True),
+        Bar(f'clean %, mean without {EXCLUDED}', lambda f: judged(f).clean_pct.mean(), 99, 100, 2, at_least=True),
+        Bar(f'scenarios of {count} not slower than ORCA', lambda f: not_slower(f, orca), min(12, count), count, 0,
+            at_least=True),
+        Bar('time / ORCA, geometric mean', lambda f: time_against(f, orca), 1.0, 0.9, 3),
+        Bar('longest path', lambda f: f.path_ratio.max(), 1.12, None, 3),
+        Bar("path minus ORCA's, greatest", lambda f: judged(f.path_ratio - orca.path_ratio).max(), None, 0.02, 3),
+        Bar(f'turning rad/m, greatest without {EXCLUDED}', lambda f: judged(f).turn_rad_per_m.max(), 1.0, None),
+        Bar('turning rad/m, greatest', lambda f: f.turn_rad_per_m.max(), 1.0, None),
+        Bar("turning / ORCA's, greatest", lambda f: (f.turn_rad_per_m / turning[turning > 0]).max(), None, 2),
+        Bar('fastest tick / maximum speed', lambda f: f.max_speed_ratio.max(), 1.0, 1.0),
+    ]
+    time = Bar('training, processor time [s]', lambda value: value, 60, 10, 1)
+    return [*(bar.row(seeds) for bar in bars), time.row(seconds)]

@@ -3,13 +3,12 @@ import pandas
 from crowd_drawing.files import read_scene, read_walks
 from crowd_experiments import style
 from crowd_experiments.records import Spread, percent, read_csv
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 from crowd_studies.scene_figures import draw_moment, last_tick_of
 
 from ..models import OURS, TEXTS, walked
 
 NAME = 'crowds'
-TITLE = TEXTS[NAME]['title']
 # Number of placements of each scene, and the approximate duration of one [s].
 SCENES = {'crowd_random_50': (10, 0.1), 'crowd_random_200': (5, 0.4), 'crowd_random_1000': (3, 3.0),
           'crowd_circle_50': (10, 0.2), 'crowd_circle_200': (5, 0.8), 'crowd_circle_1000': (2, 25.0)}
@@ -19,13 +18,11 @@ MOMENTS = (0.0, 1 / 3, 2 / 3)  # fractions of the time until the last arrival
 
 
 def plan(setting):
-    """Returns a run for each scene."""
     return [walked(setting, NAME, OURS, scene, episodes, episodes * seconds, scene in DRAWN)
             for scene, (episodes, seconds) in setting.count(SCENES, QUICK_SCENES).items()]
 
 
 def report(setting):
-    """Returns the chapter, from the runs' records."""
     chapter = Report(NAME, TEXTS, setting)
     chapter.say('intro')
     scenes = setting.count(SCENES, QUICK_SCENES)
@@ -40,7 +37,6 @@ def report(setting):
 
 
 def row_of(scene, record):
-    """Returns the cells of a scene."""
     arrived = record[record['arrived'] > 0]
     times = Spread.of_numbers(arrived.groupby('episode')['time_ratio'].mean())
     return [scene, str(record['episode'].nunique()), f"{percent(record['arrived']):.2f}",
@@ -50,7 +46,6 @@ def row_of(scene, record):
 
 
 def add_moments(chapter, setting, name):
-    """Adds three moments of the first placement."""
     folder = setting.run_folder(NAME, name)
     scene = read_scene(folder / f'{name}.yaml', 0)
     _, walks = read_walks(folder / f'{name}.csv', 0)

@@ -10,19 +10,18 @@ over the other walkers in a lane around the walker. Nowak and Schadschneider als
 with n others in random directions, the mean of the square is 1 / n.
 """
 import numpy
+import pandas
 from crowd_drawing.files import read_scene, read_walks
 from crowd_experiments import style
 from crowd_experiments.records import Spread, read_tracks
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 from crowd_studies.scene_figures import draw_moment
 
 from ..models import COLOURS, LEARNED, NAMES, TEXTS, success_and_contact, walked
 
 NAME = 'lanes'
-TITLE = TEXTS[NAME]['title']
 SCENARIO = 'corridor_two_way'
-TICK = 0.1  # [s]
-SHOWN_TIME = 25.0  # [s]
+TICK, SHOWN_TIME = 0.1, 25.0  # [s]
 JUDGED = (8.0, 18.0)  # [s] time in which the crowds overlap
 MOMENTS = (1.0, 14.0)  # [s]
 DRAWN = ('anticipation', 'thesis_nearest')
@@ -70,7 +69,6 @@ def order_over_time(track, directions):
 
 
 def report(setting):
-    """Returns the chapter, from the recorded trajectories."""
     folders = {model: setting.run_folder(NAME, model) for model in LEARNED}
     curves = {model: curves_of(folder) for model, folder in folders.items()}
     chapter = Report(NAME, TEXTS, setting)
@@ -88,15 +86,11 @@ def curves_of(folder):
     """Returns an array (placement, tick) of the order; agents that start on the left walk to the right."""
     curves = [order_over_time(track, numpy.where(track[0, :, 0] < 0.0, 1, -1)) for track in
               read_tracks(folder / f'{SCENARIO}.csv').values()]
-    ticks = round(SHOWN_TIME / TICK) + 1
-    padded = numpy.full((len(curves), ticks), numpy.nan)
-    for row, curve in zip(padded, curves):
-        row[:min(ticks, len(curve))] = curve[:ticks]
-    return padded
+    ticks = range(round(SHOWN_TIME / TICK) + 1)
+    return pandas.DataFrame(curves).reindex(columns=ticks).to_numpy()
 
 
 def add_curves(chapter, curves):
-    """Adds the order over time."""
     figure, ((panel,),) = style.new_figure(1, 1, 9, 4)
     for model, values in curves.items():
         present = ~numpy.isnan(values).any(axis=0)

@@ -6,13 +6,12 @@ from crowd_drawing.files import read_scene
 from crowd_drawing.picture import OBSTACLE_COLOUR, Picture
 from crowd_experiments import style
 from crowd_experiments.records import read_tracks
-from crowd_studies.report import Report
+from crowd_studies.program import Report
 
 from ..avoidability import HEADINGS, LOOK_BACK, LOOK_ON, Recording, TURNED_WITHIN
 from ..models import COLOURS, LEARNED, NAMES, OURS, TEXTS, success_and_contact, walked
 
 NAME = 'moving_obstacles'
-TITLE = TEXTS[NAME]['title']
 SCENARIO = 'crowd_random_movers'
 DRAWN_PANELS = 6
 REACH = 2.2  # [m] drawn distance around a contact
@@ -32,20 +31,15 @@ def kind_of(recording, contact):
     return ('hemmed in' if recording.last_escape(contact, among_others=False) else 'overrun'), None
 
 
-def judged_contacts(folder):
-    """Returns every contact with its recording, kind and escape."""
-    judged = []
-    for instance, track in read_tracks(folder / f'{SCENARIO}.csv').items():
-        recording = Recording(read_scene(folder / f'{SCENARIO}.yaml', instance), track)
-        judged += [(recording, contact, *kind_of(recording, contact)) for contact in recording.contacts()]
-    return judged
-
-
 def report(setting):
-    """Returns the chapter, from the recorded trajectories."""
     chapter = Report(NAME, TEXTS, setting, look_back=LOOK_BACK)
     chapter.say('intro', headings=HEADINGS, look_on=LOOK_ON, turned=TURNED_WITHIN)
-    contacts = {model: judged_contacts(setting.run_folder(NAME, model)) for model in LEARNED}
+    contacts = {model: [] for model in LEARNED}  # with their recordings, kinds and escapes
+    for model, judged in contacts.items():
+        folder = setting.run_folder(NAME, model)
+        for instance, track in read_tracks(folder / f'{SCENARIO}.csv').items():
+            recording = Recording(read_scene(folder / f'{SCENARIO}.yaml', instance), track)
+            judged += [(recording, contact, *kind_of(recording, contact)) for contact in recording.contacts()]
     columns = ['', 'success %', 'agents in contact %', 'contacts with moving obstacles', *KINDS,
                'avoidable until the last tick', 'turned']
     chapter.tabulate('contacts', columns, [row_of(setting, model, judged) for model, judged in contacts.items()])
@@ -54,7 +48,6 @@ def report(setting):
 
 
 def row_of(setting, model, judged):
-    """Returns the cells of a model."""
     late = sum(escape is not None and escape.tick == contact.tick - 1 for _, contact, _, escape in judged)
     turned = sum(recording.had_turned(contact) for recording, contact, _, _ in judged)
     numbers = [len(judged), *(sum(kind == found for _, _, found, _ in judged) for kind in KINDS), late, turned]

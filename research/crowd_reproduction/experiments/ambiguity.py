@@ -8,12 +8,9 @@ from crowd_experiments.records import Spread
 from crowd_studies.scene_figures import draw_perception, draw_scene, frame_alike
 
 from ..measures import sectors_of
-from ..names import PARAMETER_NAMES, RATE_HEADER, TEXTS, rate_texts, report_of
-from ..results import PARAMETERS, SETS, plan as plan_of
+from ..results import PARAMETERS, PARAMETER_NAMES, RATE_HEADER, SETS, rate_texts, report_of
 from ..twins import ALONE, SCENES, TESTS, TRAININGS, Agent, first_decision, rows_of
 
-NAME = 'ambiguity'
-TITLE = TEXTS[NAME]['title']
 DRAWN = {'thesis': 'single', 'better': 'field'}  # the training that figure 4.16 shows
 RADII = (0.5, 1.0)  # of the two distance classes [m]
 LIMITS = {'nearest': (0, 15, 45, 90, 180, -90, -45, -15), 'occupancy': numpy.arange(-157.5, 180, 45)}
@@ -21,12 +18,10 @@ CLEAN = 'arrived > 0 and collided == 0'
 FAILURES = (('one obstacle perceived', (ALONE,), CLEAN),
             ('two: oscillates', ('twins_b', 'twins_c', 'twins_a'), 'arrived == 0'),
             ('two: collides', ('twins_b', 'twins_c', 'twins_d', 'twins_a'), 'touched > 0 or collided > 0'))
-plan = plan_of(NAME)
 
 
 def report(setting):
-    """The chapter, from the runs' records."""
-    chapter = report_of(NAME, setting, 10)
+    chapter = report_of('ambiguity', setting, 10)
     add_same_state(chapter, setting)
     add_failures(chapter, setting)
     add_perceptions(chapter, setting)
@@ -35,8 +30,8 @@ def report(setting):
     for parameters in PARAMETERS:
         chapter.tabulate(f'twins_{parameters}', [
             '', *RATE_HEADER, 'path ratio (arrivals only)', 'decisions (arrivals only)', 'rows visited in training'], [
-                test_row(Agent(setting, training, states, parameters), test,
-                         f'{style.short_set_name(states)}, {label}, {title}')
+                [f'{style.short_set_name(states)}, {label}, {title}',
+                 *test_cells(Agent(setting, training, states, parameters), test)]
                 for training, label in TRAININGS.items() for states in SETS for test, title in TESTS.items()],
             'twins', parameters=PARAMETER_NAMES[parameters])
     chapter.tabulate('passage', ['', 'between the obstacles %', 'around both %'], [
@@ -46,11 +41,10 @@ def report(setting):
     return chapter
 
 
-def test_row(agent, test, label):
-    """Returns a row of the table."""
-    texts = [Spread.of_numbers(agent.arrivals(test, column)).text(decimals)
+def test_cells(agent, test):
+    texts = [Spread.of_numbers(agent.runs.arrivals(agent.file, column, test)).text(decimals)
              for column, decimals in (('path_ratio', 2), ('ticks', 0))]
-    return [label, *rate_texts(agent.rates(test)), *texts,
+    return [*rate_texts(agent.runs.rates(agent.file, test)), *texts,
             Spread(agent.runs.headers(agent.table, 'visited_rows')).text(0)]
 
 
@@ -63,7 +57,6 @@ def draw_view(panel, setting, scene, states):
 
 
 def add_same_state(chapter, setting):
-    """Adds figure 4.13."""
     rows = {states: rows_of(setting, states) for states in SETS}
     figure, axes = style.new_figure(1, len(SCENES), 12, 5.3)
     pictures = []
@@ -79,25 +72,20 @@ def add_same_state(chapter, setting):
 
 
 def add_perceptions(chapter, setting):
-    """Adds figure 4.15."""
     figure, axes = style.new_figure(1, 2, 9, 4.6)
     for panel, states, letter in zip(axes[0], SETS, 'ab'):
         picture, sectors = draw_view(panel, setting, 'same_state_c', states)
         picture.frame()
-        panel.set(title=f'({letter}) {style.SET_NAMES[states]}', xlabel=classes_text(sectors))
+        classes = [f'{sector.begin:g} to {sector.end:g}°: class {sector.distance_class}'.replace(' ', '\xa0')
+                   for sector in sectors]  # lines are broken after commas only
+        panel.set(title=f'({letter}) {style.SET_NAMES[states]}', xlabel='\n'.join(
+            textwrap.wrap(', '.join(classes), 63, break_long_words=False)).replace('\xa0', ' '))
     chapter.draw(figure, 'figure_4_15')
-
-
-def classes_text(sectors, width=63):
-    """Returns the classes of sectors as a text in lines of at most this width, broken after commas."""
-    words = [f'{sector.begin:g} to {sector.end:g}°: class {sector.distance_class}'.replace(' ', '\xa0')
-             for sector in sectors]
-    return '\n'.join(textwrap.wrap(', '.join(words), width, break_long_words=False)).replace('\xa0', ' ')
 
 
 def find_walk(setting, agent, tests, condition):
     """Returns row and test of the first recorded episode that meets a condition, and True; else the first, False."""
-    recorded = {test: agent.record(test).query(f'episode < {setting.count(10, 2)}') for test in tests}
+    recorded = {test: agent.runs.record(agent.file, test).query(f'episode < {setting.count(10, 2)}') for test in tests}
     for seed in agent.runs.seeds():
         for test in tests:
             fits = recorded[test].query(f'seed == {seed} and ({condition})')
@@ -107,15 +95,13 @@ def find_walk(setting, agent, tests, condition):
 
 
 def draw_walk(panel, agent, row, test):
-    """Draws the walk of an episode."""
-    folder = agent.drawn(int(row['seed']))
+    folder = agent.runs.folder(int(row['seed'])) / agent.tests
     draw_scene(panel, folder / f'{test}.yaml', folder / f'{test}.csv', int(row['episode']), '#d62728', '#c9c3e6')
     panel.set(xlim=(-3.1, 3.1), ylim=(-3.3, 3.6))
     panel.label_outer()
 
 
 def ending(row):
-    """Returns the outcome of an episode as a text."""
     words = 'arrives' if row['arrived'] else 'does not arrive'
     if row['touched']:
         return words + ', contact with an obstacle'
@@ -123,7 +109,6 @@ def ending(row):
 
 
 def add_failures(chapter, setting):
-    """Adds figure 4.14."""
     agent = Agent(setting, 'single', 'nearest')
     figure, axes = style.new_figure(1, len(FAILURES), 12, 5.8, sharex=True, sharey=True)
     for panel, letter, (title, tests, condition) in zip(axes[0], 'abc', FAILURES):
@@ -131,7 +116,7 @@ def add_failures(chapter, setting):
         draw_walk(panel, agent, row, test)
         panel.set_title(f'({letter}) {title if found else "no such episode"}\n{test}, seed {row["seed"]}: '
                         f'{ending(row)}')
-    means = {test: agent.rates(test).mean() for test in (ALONE, 'twins_b', 'twins_c')}
+    means = {test: agent.runs.rates(agent.file, test).mean() for test in (ALONE, 'twins_b', 'twins_c')}
     chapter.draw(figure, 'figure_4_14', rates='; '.join(
         f'{test}: success {mean.success:.0f} %, collision {mean.collision:.0f} %' for test, mean in means.items()))
 
@@ -143,7 +128,7 @@ def add_twins(chapter, setting, parameters):
     for panel, (test, title) in zip(axes.flat, TESTS.items()):
         row, _, found = find_walk(setting, agent, [test], CLEAN)
         draw_walk(panel, agent, row, test)
-        mean = agent.rates(test).mean()
+        mean = agent.runs.rates(agent.file, test).mean()
         panel.set_title(f'({title[0]}) {title[3:]}, seed {row["seed"]}' + ('' if found else ' (fails)') +
                         f'\nall: success {mean.success:.0f} %, collision {mean.collision:.0f} %')
     chapter.draw(figure, 'figure_4_16' + ('' if parameters == 'thesis' else f'_{parameters}'), 'figure_4_16',

@@ -3,12 +3,10 @@ from crowd_experiments import style
 from crowd_experiments.records import Spread
 
 from ..crowds import LEAST_SECTORS, SOON, agents, surrounded
-from ..names import RATE_HEADER, TEXTS, rate_texts, report_of
-from ..results import Runs, plan as plan_of
+from ..results import RATE_HEADER, Runs, rate_texts, report_of
 from .scenarios import SURROUNDED, surrounded_row
 
 NAME = 'future_work'
-TITLE = TEXTS[NAME]['title']
 SCENARIO = 'circle12_varied'
 WATCHED = 2  # number of episodes of which every decision is recorded
 # Labels by variations.
@@ -16,11 +14,9 @@ LABELS = {'thesis': "the thesis's agent", 'stay': 'stay action', 'stay_02': 'sta
           'stay_1': 'stay action, cost 1', 'stay_5': 'stay action, cost 5', 'occlusion': 'occlusion',
           'condensed': 'condensed states', 'both': 'stay action, cost 1, occlusion'}
 COLOUR = '#8e5ea2'
-plan = plan_of(NAME)
 
 
 def report(setting):
-    """The chapter, from the runs' records."""
     chapter = report_of(NAME, setting, 10, least=LEAST_SECTORS, soon=SOON)
     found = {variation: surrounded(runs_of(setting, variation), SCENARIO, WATCHED) for variation in LABELS}
     add_figure(chapter, setting, found)
@@ -38,12 +34,10 @@ def runs_of(setting, variation):
 
 
 def rates(setting, variation):
-    """Returns the rates of the seeds."""
     return runs_of(setting, variation).rates('demo.csv', SCENARIO)
 
 
 def row_of(setting, variation):
-    """Returns a row of the table of rates and ratios."""
     runs = runs_of(setting, variation)
     ratios = [Spread.of_numbers(runs.arrivals('demo.csv', column, SCENARIO)).text(2)
               for column in ('path_ratio', 'time_ratio')]
@@ -52,7 +46,6 @@ def row_of(setting, variation):
 
 
 def add_figure(chapter, setting, found):
-    """Adds the rates, and the contacts of surrounded agents, as bars."""
     figure, axes = style.new_figure(1, 4, 14, 4.4, sharey=True)
     for place, variation in enumerate(LABELS):
         of_variation = rates(setting, variation)

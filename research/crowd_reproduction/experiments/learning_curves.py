@@ -4,18 +4,13 @@ from crowd_experiments import style
 from crowd_experiments.records import Spread
 
 from ..crowds import agents
-from ..names import PARAMETER_NAMES, TEXTS, report_of
-from ..results import PARAMETERS, RATES, SETS, plan as plan_of
+from ..results import PARAMETERS, PARAMETER_NAMES, RATES, SETS, report_of
 
-NAME = 'learning_curves'
-TITLE = TEXTS[NAME]['title']
 SCENARIOS = {'training_field': ('one agent among obstacles', '-'), 'circle6': ('six on a circle', ':')}
-plan = plan_of(NAME)
 
 
 def report(setting):
-    """Returns the chapter, from the runs' records."""
-    chapter = report_of(NAME, setting, 10)
+    chapter = report_of('learning_curves', setting, 10)
     curves = {(states, parameters): Curve(setting, states, parameters) for states in SETS for parameters in PARAMETERS}
     add_figure(chapter, curves)
     chapter.tabulate('curves', ['', 'rows visited', *(f'{scenario}: {measure} %' for scenario in SCENARIOS
@@ -62,4 +57,4 @@ def add_figure(chapter, curves):
     axes[0][0].set_ylim(0, 105)
     axes[0][0].legend(loc='center right')
     axes[-1][1].legend(loc='upper right')
-    chapter.draw(figure, NAME)
+    chapter.draw(figure, 'learning_curves')

@@ -3,24 +3,19 @@ import numpy
 from crowd_experiments.records import Spread, spread_text
 from crowd_experiments.variations import heading_of, read_documents
 
-from ..names import PARAMETER_NAMES, RATE_HEADER, REWARD_NAMES, TEXTS, report_of
-from ..results import PARAMETERS, RATES, REWARDS, Runs, plan as plan_of
+from ..results import PARAMETERS, PARAMETER_NAMES, RATES, RATE_HEADER, REWARDS, REWARD_NAMES, Runs, report_of
 from ..reward_figures import add_figures
-from ..reward_measures import (MODES, THESIS_SUCCESS, collision, contact, gain_per_step, learned, longer, of_mode,
+from ..reward_measures import (MODES, THESIS_SUCCESS, collision, contact, gain_per_step, learned, of_mode,
                                path_per_gain, path_ratio, success, turning)
 
-NAME = 'reward_evaluation'
-TITLE = TEXTS[NAME]['title']
 # Requirements for the better parameters in demo [%].
 LEAST_MEAN_SUCCESS, LEAST_SUCCESS, MOST_CONTACT = 99.0, 97.0, 1.0
 RATIOS = {'distance gained per step [m]': (gain_per_step, 4), 'path per distance gained': (path_per_gain, 2)}
 OF_ARRIVALS = {'path ratio, arrivals only': (path_ratio, 2), 'turning [rad/m], arrivals only': (turning, 2)}
-plan = plan_of(NAME)
 
 
 def report(setting):
-    """Returns the chapter, from the runs' records."""
-    chapter = report_of(NAME, setting, 20)
+    chapter = report_of('reward_evaluation', setting, 20)
     chapter.say('parameters')
     chapter.say('difference', **differences(setting))
     add_figures(chapter, setting)
@@ -38,28 +33,26 @@ def report(setting):
         for heading, of_reward in headings(setting).items() for mode in MODES for reward in REWARDS])
     chapter.say('nearest', **nearest(setting))
     chapter.tabulate('more_training', ['', *RATE_HEADER], [
-        [row_name('thesis', f'{episodes} training episodes', mode, reward), *cells(trained(setting, reward), mode)]
-        for trained, episodes in ((learned, setting.count('2,000', 40)), (longer, setting.count('8,000', 80)))
-        for mode in MODES for reward in REWARDS])
+        [row_name('thesis', f'{episodes} training episodes', mode, reward), *cells(runs, mode)]
+        for episodes, found in ((setting.count('2,000', 40), lambda reward: learned(setting, reward)),
+                                (setting.count('8,000', 80), lambda reward: Runs.of(setting, 'longer', reward=reward)))
+        for mode in MODES for reward in REWARDS for runs in [found(reward)]])
     chapter.say('requirements', words='; '.join(requirement(setting, reward) for reward in REWARDS),
                 mean=LEAST_MEAN_SUCCESS, least=LEAST_SUCCESS, contact=MOST_CONTACT)
     return chapter
 
 
 def differences(setting):
-    """Returns how much the episodes without an obstacle differ, for the first seed."""
+    """Returns how much the episodes without an obstacle differ, for the first seed: distances of the goals [m], and
+    their directions relative to the heading [degrees]."""
     scenes = read_documents(learned(setting, 'cosine_cubed').folder(1) / 'single_free.yaml')
-    distances, turns = zip(*(start_of(scene['agents'][0]) for scene in scenes))
-    different = len({(round(distance, 3), round(turn, 1)) for distance, turn in zip(distances, turns)})
+    agents = [scene['agents'][0] for scene in scenes]
+    x, y = numpy.transpose([numpy.subtract(agent['goals'][0], agent['position']) for agent in agents])
+    turns = (numpy.degrees(numpy.arctan2(y, x)) - list(map(heading_of, agents)) + 180.0) % 360.0 - 180.0
+    distances = numpy.hypot(x, y)
+    different = len(set(zip(distances.round(3), turns.round(1))))
     return {'different': different, 'scenes': len(scenes), 'nearest': min(distances), 'farthest': max(distances),
             'least': min(turns), 'most': max(turns)}
-
-
-def start_of(agent):
-    """Returns the distance of an agent's goal [m], and its direction relative to the heading [degrees]."""
-    offset = numpy.subtract(agent['goals'][0], agent['position'])
-    turn = numpy.degrees(numpy.arctan2(offset[1], offset[0])) - heading_of(agent)
-    return float(numpy.hypot(*offset)), float((turn + 180.0) % 360.0 - 180.0)
 
 
 def cells(runs, mode, measures=()):

@@ -2,15 +2,11 @@
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 
-from ..crowd_figures import add_dummies, add_figures, add_groups
-from ..crowds import (APART, CROWDED, GROUPING, LEAST_SECTORS, SCENARIOS, SOON, TIMES, VISIT_CLASSES, WATCHED, agents,
-                      by_visits, last_metre, phases, rates, surrounded)
+from ..crowds import (APART, CROWDED, GROUPING, LEAST_SECTORS, SCENARIOS, SOON, TIMES, VISIT_CLASSES, WATCHED,
+                      add_dummies, add_figures, add_groups, agents, by_visits, last_metre, phases, rates, surrounded)
 from ..measures import share
-from ..names import PARAMETER_NAMES, RATE_HEADER, TEXTS, rate_texts, report_of
-from ..results import PARAMETERS, SETS, Runs, plan as plan_of
+from ..results import PARAMETERS, PARAMETER_NAMES, RATE_HEADER, Runs, SETS, rate_texts, report_of
 
-NAME = 'scenarios'
-TITLE = TEXTS[NAME]['title']
 # Columns of tables about surrounded agents: measure of a Surrounded and decimals, by title.
 SURROUNDED = {
     'surrounded, per 1,000 decisions': (lambda one: one.per_thousand(), 2),
@@ -25,12 +21,10 @@ SURROUNDED = {
 SYNCHRONICITY = {'circle12_exact': 'starts exactly on the circle',
                  'circle12_exact_simultaneous': 'starts exactly on the circle, simultaneous moves',
                  'circle12': 'starts up to 5 cm off', 'circle12_varied': 'varied speeds'}
-plan = plan_of(NAME)
 
 
 def report(setting):
-    """Returns the chapter, from the runs' records."""
-    chapter = report_of(NAME, setting, 10, least=LEAST_SECTORS, soon=SOON)
+    chapter = report_of('scenarios', setting, 10, least=LEAST_SECTORS, soon=SOON)
     header = ['', *RATE_HEADER, 'episodes: all arrive, no contact %', 'episodes: all arrive, no collision %',
               'path ratio (arrivals only)', *(f'crowd trained together: {rate}' for rate in RATE_HEADER)]
     chapter.tabulate('set2_thesis', header, [
@@ -53,8 +47,8 @@ def report(setting):
     add_visits(chapter, setting)
     add_main_tables(chapter, agents(setting))
     chapter.tabulate('rows', ['', 'rows', 'visited', 'decisions in training [million]'], [
-        rows_row(Runs.of(setting, group, states=states, parameters=parameters),
-                 f'{label}, {style.SET_NAMES[states]}, {PARAMETER_NAMES[parameters]}')
+        [f'{label}, {style.SET_NAMES[states]}, {PARAMETER_NAMES[parameters]}',
+         *rows_cells(Runs.of(setting, group, states=states, parameters=parameters))]
         for group, label in (('agents', 'one agent'), ('crowds', 'crowd trained together on a mix'))
         for parameters in PARAMETERS for states in SETS])
     return chapter
@@ -70,7 +64,6 @@ def scenario_row(setting, scenario, states, parameters, label):
 
 
 def add_group_tables(chapter, setting):
-    """Adds the tables of distances between agents."""
     rows = []
     for parameters in PARAMETERS:
         for title, measure in GROUPING.items():
@@ -86,7 +79,6 @@ def add_group_tables(chapter, setting):
 
 
 def surrounded_row(label, found):
-    """Returns a row of the table, from a Surrounded for each seed."""
     return [label, *(Spread.of_numbers(map(measure, found)).text(decimals)
                      for measure, decimals in SURROUNDED.values())]
 
@@ -120,7 +112,6 @@ def add_main_tables(chapter, runs):
                                      *rate_texts(rates(runs, scenario))] for scenario in SCENARIOS])
 
 
-def rows_row(runs, label):
-    """Returns a row of the table of visited rows."""
+def rows_cells(runs):
     rows, visited, decisions = (runs.headers('q_table.txt', key) for key in ('rows', 'visited_rows', 'decisions'))
-    return [label, f'{rows[0]:.0f}', Spread(visited).text(0), Spread(number / 1e6 for number in decisions).text(1)]
+    return [f'{rows[0]:.0f}', Spread(visited).text(0), Spread(number / 1e6 for number in decisions).text(1)]

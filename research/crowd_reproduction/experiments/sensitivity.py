@@ -3,30 +3,25 @@ import numpy
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 
-from ..names import REWARD_COLOURS, REWARD_NAMES, TEXTS, report_of
-from ..results import CHOICES, DECLARED, REWARDS, Runs, choices_of, chosen, plan as plan_of
+from ..results import CHOICES, DECLARED, REWARDS, REWARD_COLOURS, REWARD_NAMES, Runs, choices_of, chosen, report_of
 from ..reward_measures import MODES, THESIS_SUCCESS
 
 NAME = 'sensitivity'
-TITLE = TEXTS[NAME]['title']
 TABLED = ('success', 'collision')
 THESIS = next(iter(CHOICES))
 CELLS = [(measure, mode, reward) for measure in TABLED for mode in MODES for reward in REWARDS]
 # A change of the mean over the seeds counts from this number of points and of standard errors of the paired difference.
 LEAST_POINTS, LEAST_ERRORS = 1.0, 3.0
 THESIS_MARK = dict(marker='D', color='black', linestyle='', markersize=5, zorder=6)
-plan = plan_of(NAME)
 
 
 def values_of(setting, variation, cell):
-    """Returns the rates of the seeds [%] in a cell of the table."""
     measure, mode, reward = cell
     runs = Runs.of(setting, NAME, variation=variation, reward=reward)
     return runs.rates(f'{mode}.csv')[measure].to_numpy()
 
 
 def report(setting):
-    """Returns the chapter, from the runs' records."""
     chapter = report_of(NAME, setting, 10, chosen='; '.join(f"{choice['name']}: {chosen(setting, choice)}"
                                                             for choice in DECLARED['choices']))
     add_figure(chapter, setting)
@@ -52,7 +47,6 @@ def column_name(cell):
 
 
 def add_table(chapter, setting, name, cells, rows):
-    """Adds a row for each variation."""
     rows = rows + [[CHOICES[variation]['label'], *(Spread(values_of(setting, variation, cell)).text(1, False)
                                                    for cell in cells)] for variation in choices_of(setting)]
     chapter.tabulate(name, ['', *map(column_name, cells)], rows)
@@ -110,7 +104,6 @@ def add_figure(chapter, setting):
 
 
 def draw_rates(panel, setting, variations, cell, offset):
-    """Draws the rates of a cell of the table in all variations."""
     measure, mode, reward = cell
     colour = REWARD_COLOURS[reward]
     for place, variation in enumerate(variations):

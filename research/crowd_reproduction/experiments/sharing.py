@@ -3,20 +3,16 @@ import numpy
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 
-from ..names import TEXTS, report_of
-from ..results import RATES, SETS, Runs, plan as plan_of, rates_of
+from ..results import RATES, Runs, SETS, rates_of, report_of
 
 NAME = 'sharing'
-TITLE = TEXTS[NAME]['title']
 EPISODES, QUICK_EPISODES = (0, 10, 100, 1000, 4000), (0, 5)  # of the pioneer among several obstacles
 JUDGED_EPISODES = 50  # the last of those in which all agents continue learning
 USES = {'fixed': ('unchanged table', '#0072b2'), 'own': ('all continue learning, own tables', '#e69f00'),
         'shared': ('all continue learning, one shared table', '#cc79a7')}
-plan = plan_of(NAME)
 
 
 def report(setting):
-    """Returns the chapter, from the runs' records."""
     chapter = report_of(NAME, setting, 10, judged=JUDGED_EPISODES)
     curves = {(states, use): curve(setting, states, use) for states in SETS for use in USES}
     add_figure(chapter, setting, curves)
@@ -37,7 +33,6 @@ def curve(setting, states, use):
 
 
 def add_figure(chapter, setting, curves):
-    """Adds the rates against the number of episodes."""
     figure, axes = style.new_figure(len(RATES), 2, 11, 9, sharex=True, sharey='row')
     episodes = setting.count(EPISODES, QUICK_EPISODES)
     for column, states in enumerate(SETS):
