@@ -226,7 +226,8 @@ class ReportedTopicsTest(TopicsTestCase):
     def report(self, learner, topic, agents=(), **fields):
         """Publishes the status of a learner."""
         if learner not in self.statuses:
-            self.statuses[learner] = rospy.Publisher(f'{self.namespace}/learner_status', LearnerStatus, queue_size=10)
+            # rospy drops the oldest of many messages at once, unless the queue is unlimited.
+            self.statuses[learner] = rospy.Publisher(f'{self.namespace}/learner_status', LearnerStatus, queue_size=0)
             self.addCleanup(self.statuses[learner].unregister)
             support.wait_for(lambda: self.statuses[learner].get_num_connections() > 0, 'the controller to subscribe')
         self.statuses[learner].publish(LearnerStatus(node=learner, perceptions_topic=topic, agents=agents, **fields))

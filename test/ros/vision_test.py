@@ -70,7 +70,8 @@ class WidestVisionTest(VisionTestCase):
     def report(self, learner, radius, max_neighbours=0, occlusion=False):
         """Publishes the status of a learner."""
         if learner not in self.statuses:
-            self.statuses[learner] = rospy.Publisher(f'{self.namespace}/learner_status', LearnerStatus, queue_size=10)
+            # rospy drops the oldest of many messages at once, unless the queue is unlimited.
+            self.statuses[learner] = rospy.Publisher(f'{self.namespace}/learner_status', LearnerStatus, queue_size=0)
             self.addCleanup(self.statuses[learner].unregister)
             support.wait_for(lambda: self.statuses[learner].get_num_connections() > 0, 'the controller to subscribe')
         self.statuses[learner].publish(LearnerStatus(node=learner, vision_radius=radius, occlusion=occlusion,
