@@ -65,7 +65,7 @@ class Population:
     def __init__(self, scene, document):
         sources = document.get('sources') or []
         self.source_areas = [source['area'] for source in sources]
-        self.source_radii = [scene.number(source['radius'], 'sources') for source in sources]
+        self.source_radii = [scene.radius(source, f'sources[{i}]') for i, source in enumerate(sources)]
         sinks, queues, gates = ((document.get(key) or {}).values() for key in ('sinks', 'queues', 'gates'))
         self.sink_areas = [sink['area'] for sink in sinks]
         self.queues = [self.queue(scene, queue) for queue in queues]
@@ -171,7 +171,7 @@ class Scene:
         self.name = str(document.get('name', ''))
         self.agents, self.obstacles, self.robots = (
             [body for i, entry in enumerate(document.get(key) or [])
-             for body in [read(entry, f'{key}[{i}]')] * entry.get('count', 1)]
+             for body in [read(entry, f'{key}[{i}]')] * self.count(entry, f'{key}[{i}].count')]
             for key, read in (('agents', self.agent), ('obstacles', self.obstacle), ('robots', self.robot)))
         self.walls = [self.wall(wall, f'walls[{i}]') for i, wall in enumerate(document.get('walls') or [])]
         self.population = Population(self, document)
@@ -206,11 +206,21 @@ class Scene:
         found = [self.point(element, where) for element in (value if is_list else [value])]
         return [point for point in found if point is not None]
 
+    def radius(self, entry, where):
+        radius = self.number(entry['radius'], f'{where}.radius')
+        self.need(radius > 0, f'{where}.radius', 'a number above 0', radius)
+        return radius
+
+    def count(self, entry, where):
+        count = entry.get('count', 1)
+        self.need(isinstance(count, int) and count >= 0, where, 'a whole number', count)
+        return count
+
     def agent(self, entry, where):
         goal = {} if 'route' in entry else entry['goals'] if 'goals' in entry else entry['goal']
         mirror = goal.get('opposite') if isinstance(goal, dict) else None
         return {
-            'radius': self.number(entry['radius'], f'{where}.radius'),
+            'radius': self.radius(entry, where),
             'speed': self.number(entry.get('speed', 0), f'{where}.speed') * self.speed_unit,
             'goals': self.points(goal, f'{where}.goal'),
             # Centre of a goal that lies opposite the start.
@@ -221,7 +231,7 @@ class Scene:
         velocity = self.point(entry.get('velocity', [0, 0]), f'{where}.velocity') or (0, 0)
         return {
             'position': self.point(entry['position'], f'{where}.position'),
-            'radius': self.number(entry['radius'], f'{where}.radius'),
+            'radius': self.radius(entry, where),
             'velocity': (velocity[0] * self.speed_unit, velocity[1] * self.speed_unit),
             'to_and_fro': self.points(entry.get('to_and_fro', {}), f'{where}.to_and_fro'),
             'waypoints': self.points(entry.get('waypoints', {}), f'{where}.waypoints'),
@@ -236,12 +246,13 @@ class Scene:
         return {
             'position': self.point(entry['position'], f'{where}.position'),
             'heading': math.radians(self.number(heading, f'{where}.heading')) if radians is None else radians,
-            'radius': max(math.hypot(*corner) for corner in corners) if corners else
-            self.number(entry['radius'], f'{where}.radius'),
+            'radius': max(math.hypot(*corner) for corner in corners) if corners else self.radius(entry, where),
         }
 
     def wall(self, wall, where):
-        return [self.point(end, where) for end in wall]
+        ends = [self.point(end, where) for end in wall]
+        self.need(len(ends) == 2 and None not in ends, where, '[[x1, y1], [x2, y2]]', wall)
+        return ends
 
 
 def read_scene(file, instance):
