@@ -25,6 +25,10 @@ ThreadPool::~ThreadPool() {
   for (std::thread& thread : threads_) thread.join();
 }
 
+unsigned ThreadPool::countFor(unsigned wanted) {
+  return wanted > 0 ? wanted : std::max(1U, std::thread::hardware_concurrency());
+}
+
 ThreadPool& ThreadPool::callerOnly() {
   static ThreadPool alone(1);
   return alone;

@@ -26,6 +26,9 @@ class ThreadPool {
   /// use it at the same time.
   static ThreadPool& callerOnly();
 
+  /// @brief Number of workers for a wish, of which 0 means one for each processor.
+  static unsigned countFor(unsigned wanted);
+
   /// @brief Number of short items (about a microsecond each) up to which one thread takes less time than waking others.
   static constexpr std::size_t FEW_SHORT_ITEMS = 128;
 

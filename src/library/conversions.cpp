@@ -1,14 +1,22 @@
 #include "library/conversions.h"
 
-#include <algorithm>
 #include <string>
-#include <thread>
 
 #include "geometry/finite_checks.h"
 #include "social_crowd/errors.h"
 
 namespace crowd::library {
 namespace {
+
+/// Kinds have the same numbers in both lists.
+template <typename Public, typename Own>
+constexpr bool areSame(Public first, Own second) {
+  return static_cast<int>(first) == static_cast<int>(second);
+}
+static_assert(areSame(NeighbourKind::AGENT, crowd::NeighbourKind::AGENT) &&
+              areSame(NeighbourKind::OBSTACLE, crowd::NeighbourKind::OBSTACLE) &&
+              areSame(NeighbourKind::ROBOT, crowd::NeighbourKind::ROBOT) &&
+              areSame(NeighbourKind::UNYIELDED_ROBOT, crowd::NeighbourKind::UNYIELDED_ROBOT));
 
 AgentPerception selfOf(const Perception& from) {
   AgentPerception self;
@@ -58,7 +66,7 @@ void requireValid(const crowd::Perception& seen) {
     requireFinite(whose + "position of a neighbour", other.position);
     requireFinite(whose + "velocity of a neighbour", other.velocity);
     requireFinite(whose + "radius of a neighbour", other.radius);
-    constexpr double ROUNDING = 1e-6;
+    constexpr double ROUNDING = 1e-6;  // [m]; the order holds up to rounding, see StateSet
     if (rimDistance(other) < last - ROUNDING) {
       throw InputError(whose + "expected the neighbours in the order of the distance to their rims, nearest first");
     }
@@ -125,7 +133,5 @@ void fromPublic(const std::vector<Action>& from, std::vector<AgentAction>& to) {
   to.clear();
   for (const Action& action : from) to.push_back({action.agent, {action.rotation, action.speed_fraction}});
 }
-
-unsigned threadsFor(unsigned wanted) { return wanted > 0 ? wanted : std::max(1U, std::thread::hardware_concurrency()); }
 
 }  // namespace crowd::library

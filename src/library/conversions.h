@@ -31,7 +31,4 @@ std::vector<Action> toPublic(const std::vector<AgentAction>& actions);
 /// @param to is overwritten
 void fromPublic(const std::vector<Action>& from, std::vector<AgentAction>& to);
 
-/// @brief Number of threads for 0: one per processor.
-unsigned threadsFor(unsigned wanted);
-
 }  // namespace crowd::library

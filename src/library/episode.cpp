@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "common/thread_pool.h"
 #include "library/conversions.h"
 #include "scenario/scenario.h"
 #include "simulation/crowd_decider.h"
@@ -35,6 +36,9 @@ bool walkTick(crowd::Episode& episode, Decider& decider) {
   return true;
 }
 
+static_assert(static_cast<int>(AgentStatus::ARRIVED) == static_cast<int>(crowd::AgentStatus::ARRIVED) &&
+              static_cast<int>(AgentStatus::REMOVED) == static_cast<int>(crowd::AgentStatus::REMOVED));
+
 AgentState stateOf(const Agent& agent) {
   AgentState state;
   state.id = agent.id;
@@ -67,7 +71,7 @@ RobotState stateOf(const Robot& robot) {
 
 struct Episode::State {
   State(const Scenario& scenario, const Vision& vision, std::uint64_t seed, std::uint64_t number, unsigned threads)
-      : thread_pool(threadsFor(threads)),
+      : thread_pool(ThreadPool::countFor(threads)),
         episode(scenario.list().scene(seed, number), number, fromPublic(vision), thread_pool) {}
 
   const World& world() const { return episode.world(); }

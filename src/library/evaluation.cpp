@@ -1,5 +1,6 @@
 #include "social_crowd/evaluation.h"
 
+#include "common/thread_pool.h"
 #include "library/conversions.h"
 #include "simulation/evaluation/evaluation.h"
 #include "simulation/evaluation/metrics.h"
@@ -10,7 +11,7 @@ Means evaluate(const QTable& table, const Scenario& scenario, const EvaluationOp
   EvaluationPlan plan;
   plan.episodes = options.episodes;
   plan.seed = options.seed;
-  plan.threads = threadsFor(options.threads);
+  plan.threads = ThreadPool::countFor(options.threads);
   plan.robot_controller = options.robot_controller;
   Metrics metrics;
   crowd::evaluate(table.trained(), scenario.list(), plan, [&](const EvaluatedEpisode& walked) {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/files/files.h"
+#include "common/thread_pool.h"
 #include "library/conversions.h"
 #include "training/checkpoint.h"
 #include "training/training.h"
@@ -14,7 +15,7 @@ crowd::Training makeTraining(const std::string& file, const TrainingOptions& opt
   TrainingConfig config = readTrainingConfig(file);
   config.training.episodes = options.episodes.value_or(config.training.episodes);
   config.training.seed = options.seed.value_or(config.training.seed);
-  const unsigned threads = threadsFor(options.threads);
+  const unsigned threads = ThreadPool::countFor(options.threads);
   if (!options.begin) return crowd::Training(std::move(config), threads);
   requireFit(config.model, options.begin->trained().model, file);
   return {std::move(config), options.begin->trained(), threads};

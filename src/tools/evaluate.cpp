@@ -1,16 +1,15 @@
 // Evaluates a Q-table on scenario files, without ROS.
 
-#include <algorithm>
 #include <iostream>
 #include <map>
 #include <optional>
-#include <thread>
 
 #include "command_line.h"
 #include "common/files/files.h"
 #include "common/files/growing_file.h"
 #include "common/files/result_file.h"
 #include "common/text/numbers.h"
+#include "common/thread_pool.h"
 #include "learning/q_table_file.h"
 #include "metrics_table.h"
 #include "progress_bar.h"
@@ -234,7 +233,7 @@ int runMain(int argc, char** argv) {
   CLI::App app("Runs scenarios with a Q-table (demo mode) and prints the metrics of the steering benchmark.",
                "evaluate");
   Arguments arguments;
-  arguments.plan.threads = std::max(1U, std::thread::hardware_concurrency());
+  arguments.plan.threads = ThreadPool::countFor(0);
   app.add_option("--q-table", arguments.q_table, "Q-table file")->required();
   app.add_option("--config", arguments.config,
                  "training configuration whose model is used; default: that of the table");

@@ -1,11 +1,10 @@
 // Trains a Q-table without ROS.
 
-#include <algorithm>
 #include <string>
-#include <thread>
 
 #include "command_line.h"
 #include "common/text/yaml_reader.h"
+#include "common/thread_pool.h"
 #include "learning/actions/kings_moves.h"
 #include "learning/model.h"
 #include "learning/states/row_meaning.h"
@@ -73,7 +72,7 @@ void addFileOptions(CLI::App& app, TrainingArguments& arguments) {
 int runMain(int argc, char** argv) {
   CLI::App app("Trains a Q-table: one or more agents learn to walk in the scenarios of CONFIG.", "train");
   TrainingArguments arguments;
-  arguments.threads = std::max(1U, std::thread::hardware_concurrency());
+  arguments.threads = ThreadPool::countFor(0);
   app.add_option("CONFIG", arguments.config, "training configuration, such as config/learning/thesis_nearest.yaml")
       ->required();
   app.add_option("--output,-o", arguments.output, "Q-table file to write")->required();
