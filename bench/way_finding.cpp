@@ -9,7 +9,7 @@
 #include "measuring.h"
 #include "navigation/mesh_cache.h"
 #include "navigation/path_follower.h"
-#include "navigation/right_of_way.h"
+#include "navigation/turn_taking.h"
 #include "office.h"
 
 namespace crowd {
@@ -50,7 +50,7 @@ class Finder {
 
 NavigationData prepare(const FloorPlan& floor) {
   return {NavigationMesh(floor, RADIUS + COMFORTABLE_MARGIN), NavigationMesh(floor, RADIUS + TIGHT_MARGIN),
-          Passages(floor, RADIUS, RightOfWay::maxWidth(RADIUS))};
+          FloorRuler(floor, WayClaims::wideClearance(RADIUS))};
 }
 
 void findWays(benchmark::State& state) {
@@ -83,7 +83,7 @@ void rememberMap(benchmark::State& state) {
   for (auto _ : state) {
     for (const AgentStart& agent : scene.agents) finder.find(agent);
   }
-  const std::size_t bytes = data.comfortable.bytes() + data.tight.bytes() + data.passages.bytes() + finder.bytes();
+  const std::size_t bytes = data.comfortable.bytes() + data.tight.bytes() + data.ruler.bytes() + finder.bytes();
   state.counters["megabytes"] = static_cast<double>(bytes) / 1e6;
 }
 

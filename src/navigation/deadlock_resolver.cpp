@@ -13,6 +13,7 @@ namespace {
 constexpr double TRAIL_STEP = 0.5;        // between places of a trail [m]
 constexpr std::size_t TRAIL_LENGTH = 20;  // places
 constexpr double REACH = 0.6;             // between bodies that block each other [m]
+constexpr double WAITER_REACH = 0.2;      // between an agent that waits and one that it blocks [m]
 constexpr double TOUCH = 0.1;             // bodies nearer to each other than this may wedge [m]
 constexpr double BESIDE = 0.2;            // behind the line beside an agent [m]
 constexpr double OPPOSITE = -0.3;         // cosine of the angle from which directions are opposite
@@ -48,7 +49,7 @@ void DeadlockResolver::update(World& world, const AgentMap<RemainingPath>& paths
   }
   for (std::size_t i = 0; i < world.agents().size(); ++i) {
     const Agent& agent = world.agents().nth(i);
-    if (!agent.isWalking() || agent.yielding || agent.held || agent.at_goal) continue;
+    if (!agent.isWalking() || agent.held || agent.at_goal) continue;
     if (walksBack(walks_.nth(i))) continue;
     if (mustGiveWay(world, agent)) {
       startRetreat(agent, time);
@@ -73,7 +74,7 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
   }
   walk.retreat_until = 0.0;
   walk.course = directionOf(path, agent);
-  if (isStuck(walk, time)) walk.remaining = lengthOf(path, place);
+  if (isStuck(walk, time)) walk.remaining = lengthOf({path.data(), path.size()}, place);
   if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
   walk.trail.push_back(place);
   if (walk.trail.size() > TRAIL_LENGTH) walk.trail.pop_front();
@@ -128,8 +129,23 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
     const Span<Walker> near = walkersNear(world, agent, REACH);
     return std::any_of(near.begin(), near.end(), [&](const Walker& other) { return has_priority(other.agent); });
   }
+  if (agent.yielding && blocksOthers(world, agent)) return true;
   if (retreating_.empty() || agent.velocity.norm() > 0.3 * agent.max_speed) return false;
   return std::any_of(retreating_.begin(), retreating_.end(), has_priority);
+}
+
+/// Whether an agent that waits is in the way of one that is stuck.
+bool DeadlockResolver::blocksOthers(const World& world, const Agent& agent) {
+  const Span<Walker> near = walkersNear(world, agent, WAITER_REACH);
+  return std::any_of(near.begin(), near.end(), [&](const Walker& walker) {
+    const Agent& other = world.agents()[walker.agent];
+    const Walk& its = walks_[other.id];
+    const bool is_stuck = !other.yielding && !other.held && !walksBack(its) && isStuck(its, world.time());
+    if (other.id == agent.id || !is_stuck) return false;
+    const Vector2 offset = agent.pose.position - other.pose.position;
+    const double gap = offset.norm() - agent.radius - other.radius;
+    return gap < WAITER_REACH && offset.dot(other.perceivedGoal() - other.pose.position) > 0.0;
+  });
 }
 
 /// Whether a robot that agents give way to is ahead of an agent, or touches it.
@@ -157,6 +173,7 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
   const bool forms_arch = !is_opposite && gap < TOUCH && isStuck(own, time) && isStuck(its, time);
   if (own.cannot_walk_back != its.cannot_walk_back) return its.cannot_walk_back && (is_opposite || forms_arch);
   if (is_opposite) {
+    if (other.yielding) return false;
     return walksBack(its) || priorityDirection(time).dot(its.course - own.course) > 0.0;
   }
   return forms_arch && ahead > 0.0 && !walksBack(its) && its.remaining < own.remaining;
@@ -208,6 +225,7 @@ void DeadlockResolver::retreat(World& world, const Agent& agent) {
   std::vector<Vector2> contacts;
   addAgentContacts(world, agent, contacts);
   addWallContacts(world, agent, contacts);
+  world.walkingAgent(agent.id).yielding = false;
   const std::optional<Vector2> slid = slideAlong(walk.course, contacts);
   const Vector2 straight = walk.leaves_trail ? Vector2(place + BACK * walk.course) : trail.back();
   world.walkingAgent(agent.id).setWaypoint(slid ? Vector2(place + BACK * *slid) : straight);

@@ -76,6 +76,7 @@ class DeadlockResolver {
   /// The walkers that may be within a distance of an agent [m], by x; the agent itself is among them.
   Span<Walker> walkersNear(const World& world, const Agent& agent, double distance);
   bool mustGiveWay(const World& world, const Agent& agent);
+  bool blocksOthers(const World& world, const Agent& agent);
   bool isBlockedByRobot(const World& world, const Agent& agent) const;
   bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
   void addWallContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);

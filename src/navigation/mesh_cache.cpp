@@ -4,7 +4,7 @@
 #include <list>
 #include <mutex>
 
-#include "navigation/small_things.h"
+#include "navigation/way_claims.h"
 
 namespace crowd {
 namespace {
@@ -14,7 +14,6 @@ constexpr std::size_t MAX_KEPT = 8;
 struct Entry {
   FloorPlan floor;
   double radius;
-  double passage_width;
   std::shared_ptr<const NavigationData> data;
 };
 
@@ -31,13 +30,12 @@ bool isSame(const FloorPlan& a, const FloorPlan& b) {
 
 }  // namespace
 
-std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, double passage_width,
-                                                     const StopRequest& stop) {
+std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, const StopRequest& stop) {
   static std::mutex mutex;
   static std::list<Entry> kept;  // the last used one in front
   const std::lock_guard<std::mutex> lock(mutex);
   const auto found = std::find_if(kept.begin(), kept.end(), [&](const Entry& entry) {
-    return entry.radius == radius && entry.passage_width == passage_width && isSame(entry.floor, floor);
+    return entry.radius == radius && isSame(entry.floor, floor);
   });
   if (found != kept.end()) {
     kept.splice(kept.begin(), kept, found);
@@ -46,8 +44,8 @@ std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, dou
   auto data = std::make_shared<const NavigationData>(
       NavigationData{NavigationMesh(floor, radius + COMFORTABLE_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop),
                      NavigationMesh(floor, radius + TIGHT_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop),
-                     Passages(withoutSmallThings(floor), radius, passage_width, stop)});
-  kept.push_front({floor, radius, passage_width, data});
+                     FloorRuler(floor, WayClaims::wideClearance(radius), stop)});
+  kept.push_front({floor, radius, data});
   if (kept.size() > MAX_KEPT) kept.pop_back();
   return data;
 }

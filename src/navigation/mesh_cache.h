@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "navigation/floor_ruler.h"
 #include "navigation/navigation_mesh.h"
-#include "navigation/passages.h"
 
 namespace crowd {
 
@@ -11,7 +11,7 @@ namespace crowd {
 struct NavigationData {
   NavigationMesh comfortable;  ///< keeps a margin from walls
   NavigationMesh tight;        ///< for passages that are too narrow for that
-  Passages passages;
+  FloorRuler ruler;            ///< finds narrow places
 };
 
 /// @brief Margin between agents and walls on their way where there is room [m].
@@ -21,9 +21,9 @@ constexpr double TIGHT_MARGIN = 0.02;
 
 /// @brief The navigation data of a floor. The last few floors are kept, since episodes of one scenario share their
 /// floor and gates alternate between two. Thread-safe.
-/// @param radius of the agents [m] @param passage_width greatest width of passages [m], see Passages
+/// @param radius of the agents [m]
 /// @throws InputError and Stopped as NavigationMesh
-std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, double passage_width,
+std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius,
                                                      const StopRequest& stop = {});
 
 }  // namespace crowd

@@ -58,6 +58,19 @@ class NavigationMesh::Query::Search {
     return true;
   }
 
+  /// Finds no ways through the polygons within a disc, until open().
+  void close(const FloorPlan::Disc& disc) {
+    const Vector2 centre = data_->toCells(disc.centre);
+    const double radius = disc.radius / data_->cellSize();
+    std::vector<std::size_t> closed;
+    data_->grid().visitNear(centre, radius, [&](std::size_t polygon) {
+      if (isOnPolygon(*data_, polygon, centre, radius)) closed.push_back(polygon);
+      return false;
+    });
+    path_search_.close(std::move(closed));
+  }
+  void open() { path_search_.close({}); }
+
   std::size_t bytes() const { return sizeof(Search) + path_search_.bytes(); }
 
  private:
@@ -126,6 +139,14 @@ std::optional<Path> NavigationMesh::Query::findPath(const Vector2& from, const V
     last = corner;
   }
   if (path.length > max_length) return std::nullopt;
+  return path;
+}
+
+std::optional<Path> NavigationMesh::Query::findWayAround(const FloorPlan::Disc& disc, const Vector2& from,
+                                                         const Vector2& to, double max_length) {
+  search_->close(disc);
+  std::optional<Path> path = findPath(from, to, max_length);
+  search_->open();
   return path;
 }
 

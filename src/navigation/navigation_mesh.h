@@ -81,6 +81,9 @@ class NavigationMesh::Query {
   /// @return std::nullopt if the mesh does not connect them, or only by a longer way
   std::optional<Path> findPath(const Vector2& from, const Vector2& to,
                                double max_length = std::numeric_limits<double>::infinity());
+  /// @brief The shortest way that passes no polygon of the mesh within a disc, except those of its ends.
+  std::optional<Path> findWayAround(const FloorPlan::Disc& disc, const Vector2& from, const Vector2& to,
+                                    double max_length);
   /// @brief Whether the straight line between two points is on the mesh (beyond rounding).
   ///
   /// Both may be off the mesh by up to the clearance; then the nearest points count.

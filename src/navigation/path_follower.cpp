@@ -25,11 +25,12 @@ void PathFollower::check(const Vector2& position, NavigationMesh::Query& query) 
   if (hasWay() && (chooseCorner(position, query) || returnToWay(position, query))) return;
   std::optional<Path> path = query.findPath(position, goal_);
   if (!path && hasWay()) return;  // it was pushed into a pocket of the mesh: it keeps its way
-  state_ = path ? State::ON_THE_WAY : State::UNREACHABLE;
-  corners_ = path ? std::move(path->corners) : std::vector<Vector2>();
-  corner_ = 0;
-  returns_ = 0;
-  if (path) chooseCorner(position, query);
+  if (path) {
+    follow(std::move(*path));
+    chooseCorner(position, query);
+  } else {
+    state_ = State::UNREACHABLE;
+  }
 }
 
 bool PathFollower::returnToWay(const Vector2& position, NavigationMesh::Query& query) {
@@ -54,6 +55,13 @@ bool PathFollower::chooseCorner(const Vector2& position, NavigationMesh::Query& 
   if (isAtLastCorner()) return distance <= query.clearance() || query.isStraight(position, goal_);
   if (distance <= REACHED) ++corner_;
   return corner_ > before || query.isStraight(position, corners_[corner_]);
+}
+
+void PathFollower::follow(Path path) {
+  state_ = State::ON_THE_WAY;
+  corners_ = std::move(path.corners);
+  corner_ = 0;
+  returns_ = 0;
 }
 
 void PathFollower::replan() {

@@ -35,6 +35,8 @@ class PathFollower {
   const Vector2& goal() const { return goal_; }
   /// @brief Finds a new way at the next call of next(), for example on another mesh.
   void replan();
+  /// @brief Follows another way to the goal.
+  void follow(Path path);
 
  private:
   static constexpr double CHECK_DISTANCE = 0.25;  // walked, or away from the straight line [m]

@@ -162,6 +162,8 @@ void PathSearch::addInterval(Index root, Index polygon, Index edge, const Point&
   if (tile.polys[polygon].neis[edge] == 0) return;
   if ((left.position - right.position).squaredNorm() < PATH_ROUNDING * PATH_ROUNDING) return;
   const Index behind = tile.polys[polygon].neis[edge] - Index{1};
+  const bool is_closed = std::find(closed_.begin(), closed_.end(), behind) != closed_.end();
+  if (is_closed && behind != goal_polygon_) return;
   const dtPoly& shape = tile.polys[behind];
   Index entry = 0;
   while (shape.neis[entry] != polygon + 1) ++entry;

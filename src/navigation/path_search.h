@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "navigation/mesh_data.h"
@@ -20,6 +21,8 @@ class PathSearch {
   /// Returns false if there is none that is at most `max_length` long.
   bool find(std::size_t from_polygon, const Vector2& from, std::size_t to_polygon, const Vector2& to, double max_length,
             std::vector<Vector2>& corners);
+  /// Paths lead through none of these polygons, but may begin and end there.
+  void close(std::vector<std::size_t> polygons) { closed_ = std::move(polygons); }
   std::size_t bytes() const;
 
  private:
@@ -80,6 +83,7 @@ class PathSearch {
   Point point(Index vertex) const;
 
   const NavigationMesh::Data& mesh_;
+  std::vector<std::size_t> closed_;  // few
   std::size_t goal_polygon_ = 0;
   Vector2 goal_ = Vector2::Zero();
   double max_length_ = 0.0;

@@ -12,7 +12,7 @@ namespace crowd {
 using RemainingPath = std::vector<Vector2>;
 
 /// @brief Length of a remaining path from a place [m].
-inline double lengthOf(const RemainingPath& path, Vector2 from) {
+inline double lengthOf(Span<Vector2> path, Vector2 from) {
   double length = 0.0;
   for (const Vector2& corner : path) {
     length += (corner - from).norm();

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <limits>
 
-#include "navigation/right_of_way.h"
 #include "scenario/population_spec.h"
 
 namespace crowd {
@@ -13,11 +12,13 @@ namespace {
 /// Bounds grow in steps of this length [m], so that episodes of a scenario have the same.
 constexpr double BOUNDS_STEP = 8.0;
 
+/// Free floor beside an obstacle that stands alone, on which two agents pass each other [m].
+double passingRoom(double radius) { return 4.0 * radius + 0.45; }
 constexpr double LARGE_OBSTACLE = 1.0;  // radius from which ways lead round an obstacle that stands alone [m]
 
 /// Whether agents of this radius can walk round an obstacle on both sides, one beside the other.
 bool standsAlone(const FloorPlan::Disc& disc, const FloorPlan& floor, double radius) {
-  const double room = RightOfWay::maxWidth(radius);
+  const double room = passingRoom(radius);
   const auto is_near = [&](const FloorPlan::Disc& other) {
     return &other != &disc && (other.centre - disc.centre).norm() < disc.radius + other.radius + room;
   };
@@ -110,14 +111,10 @@ bool openGates(const std::vector<Segment>& gates, FloorPlan& floor) {
   return has_closed;
 }
 
-std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, double radius, const StopRequest& stop) {
-  return navigationData(floor, radius, RightOfWay::maxWidth(radius), stop);
-}
-
 void requireNavigableFloor(const World& world, const WorldChange& change, double least_radius) {
   const double radius = std::max(least_radius, largestRadius(world, change));
   const FloorPlan floor = walkingFloor(world, radius, change);
-  if (radius > 0.0 && hasBarriers(floor)) navigationDataOf(floor, radius, world.stopRequest());
+  if (radius > 0.0 && hasBarriers(floor)) navigationData(floor, radius, world.stopRequest());
 }
 
 }  // namespace crowd

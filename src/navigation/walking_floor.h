@@ -38,9 +38,6 @@ std::vector<Segment> gateWalls(const Scene& scene);
 /// @brief Removes the walls of closed gates. @return whether there were any
 bool openGates(const std::vector<Segment>& gates, FloorPlan& floor);
 
-/// @brief The navigation data of a floor, see navigationData(). @throws InputError if the floor is too large; Stopped
-std::shared_ptr<const NavigationData> navigationDataOf(const FloorPlan& floor, double radius, const StopRequest& stop);
-
 /// @brief Does nothing if ways can be found in a world after a change.
 /// @param least_radius of the largest agent that may appear [m] @throws InputError if its floor is too large
 void requireNavigableFloor(const World& world, const WorldChange& change, double least_radius);

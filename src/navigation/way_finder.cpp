@@ -2,24 +2,26 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace crowd {
 namespace {
 
-constexpr double LANE_WIDTH = 3.2;         // agents keep right where the floor is narrower, less their diameter [m]
-constexpr double LANE_STEP = 0.2;          // of the measurement of the width [m]
-constexpr double LANE_SHARE = 0.1;         // distance of the lane from the right side, as a share of the width
-constexpr double LANE_MARGIN = 0.15;       // and its smallest value [m]
-constexpr double LANE_LOOKAHEAD = 3.0;     // [m]
-constexpr double LANE_REACHED = 0.4;       // [m]
-constexpr double AIM_DISTANCE = 0.25;      // an agent aims at the same point until it has moved this far [m]
-constexpr double SLOW_SHARE = 0.8;         // an agent below this share of its maximum speed is slowed down
-constexpr double SPREAD_RATE = 1.0;        // at which it moves outwards in front of a corner [m/s]
-constexpr double SPREAD_STEP = 0.5;        // at which its aim is chosen again [m]
-constexpr double MAX_SPREAD = 8.0;         // [m]
-constexpr double SPREAD_LOOKAHEAD = 10.0;  // [m]
-constexpr double SPREAD_WIDTH = 6.0;       // of the floor beside the corner [m]
+constexpr double LANE_WIDTH = 3.2;      // agents keep right where the floor is narrower, less their diameter [m]
+constexpr double LANE_ROOM = 0.2;       // two lanes are wider than two bodies by this [m]
+constexpr double LANE_SHARE = 0.1;      // distance of the lane from the right side, as a share of the width
+constexpr double LANE_MARGIN = 0.15;    // and its smallest value [m]
+constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
+constexpr double LANE_REACHED = 0.4;    // [m]
+constexpr double AIM_DISTANCE = 0.25;   // an agent aims at the same point until it has moved this far [m]
+constexpr double WAY_TIME = 2.0;        // after which an agent compares its way with others [s]
+constexpr double LEAST_DELAY = 4.0;     // for which it does [s]
+constexpr double DELAY_SHARE = 0.8;     // of a delay that will be there when it arrives
+constexpr double LEAST_GAIN = 4.0;      // for which it takes another way [s]
+constexpr double OUTSIDE_WIDTH = 9.0;   // of the floor beside a corner on which agents pass it [m]
+constexpr double CROWD_RADIUS = 0.75;   // of the crowd that another way leads round [m]
 
 }  // namespace
 
@@ -37,13 +39,14 @@ void WayFinder::update(World& world) {
     const Agent& agent = world.agents().nth(i);
     if (!agent.isWalking()) continue;
     world.stopRequest().throwIfMade();
+    reconsider(agent, ways_.nth(i), world);
     lead(world.walkingAgent(agent.id), ways_.nth(i), world);
     const Span<Vector2> corners = ways_.nth(i).follower->corners();
     paths_.nth(i).assign(corners.begin(), corners.end());
   }
-  right_of_way_->update(world, paths_);
+  congestion_.update(world, paths_);
+  turns_->update(world, paths_);
   deadlocks_.update(world, paths_);
-  right_of_way_->formSingleFiles(world, deadlocks_);
 }
 
 void WayFinder::adoptLayout(World& world) {
@@ -55,10 +58,10 @@ void WayFinder::adoptLayout(World& world) {
   if (was_needed && !is_needed_) release(world);
   if (!is_needed_) return;
   bounds_ = *floor.bounds;
-  data_ = navigationDataOf(floor, radius_, world.stopRequest());
+  data_ = navigationData(floor, radius_, world.stopRequest());
   comfortable_.emplace(data_->comfortable);
   tight_.emplace(data_->tight);
-  right_of_way_.emplace(std::shared_ptr<const Passages>(data_, &data_->passages), radius_);
+  turns_.emplace(std::shared_ptr<const FloorRuler>(data_, &data_->ruler));
   open_.reset();
   open_floor_.reset();
   if (openGates(gates_, floor)) open_floor_ = std::move(floor);
@@ -74,14 +77,10 @@ void WayFinder::release(World& world) {
 }
 
 void WayFinder::lead(Agent& agent, Way& way, const World& world) {
-  const bool waits = agent.yielding || agent.held;
   agent.yielding = false;
   if (!way.follower || way.follower->goal() != agent.goal()) {
     way = Way();
     way.follower.emplace(agent.goal());
-  }
-  if (!waits && agent.velocity.norm() < SLOW_SHARE * agent.max_speed) {
-    way.spread = std::min(MAX_SPREAD, way.spread + SPREAD_RATE * world.tickDuration());
   }
   const Vector2 next = nextPoint(agent, way, world.stopRequest());
   const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
@@ -93,6 +92,55 @@ void WayFinder::lead(Agent& agent, Way& way, const World& world) {
     agent.clearWaypoint();
   } else {
     agent.setWaypoint(next);
+  }
+}
+
+/// An agent that will be held up by a crowd on its way takes another one, or passes the next corner farther outside, if
+/// that saves time. Agents do so in turns, so that they do not all choose the same one at the same time.
+void WayFinder::reconsider(const Agent& agent, Way& way, const World& world) {
+  const auto interval = static_cast<std::uint64_t>(std::max(1.0, std::round(WAY_TIME / world.tickDuration())));
+  if ((world.tick() + agent.id) % interval != 0 || !way.follower || way.floor == Floor::OPEN) return;
+  if (way.follower->goal() != agent.goal() || agent.at_goal || agent.held) return;
+  const Vector2& place = agent.pose.position;
+  const Span<Vector2> corners = way.follower->corners();
+  const CongestionMap::Delay delay = congestion_.delayOn(place, corners, agent.max_speed);
+  if (delay.total < LEAST_DELAY) return;
+  const double max_time = timeOf(agent, corners) - LEAST_GAIN;
+  NavigationMesh::Query& query = way.floor == Floor::COMFORTABLE ? *comfortable_ : *tight_;
+  std::optional<Path> other =
+      query.findWayAround({delay.place, CROWD_RADIUS}, place, agent.goal(), max_time * agent.max_speed);
+  if (other && timeOf(agent, {other->corners.data(), other->corners.size()}) <= max_time) {
+    way.follower->follow(std::move(*other));
+  } else if (corners.size() > 1 && !way.lane) {
+    passOutside(agent, max_time, way, query);
+  }
+}
+
+/// The time that a way takes [s].
+double WayFinder::timeOf(const Agent& agent, Span<Vector2> corners) const {
+  const Vector2& place = agent.pose.position;
+  const double delay = congestion_.delayOn(place, corners, agent.max_speed).total;
+  return lengthOf(corners, place) / agent.max_speed + DELAY_SHARE * delay;
+}
+
+/// Lets an agent pass the next corner where that takes the least time, and at most this time [s].
+void WayFinder::passOutside(const Agent& agent, double max_time, Way& way, NavigationMesh::Query& query) const {
+  const Vector2& position = agent.pose.position;
+  const Span<Vector2> corners = way.follower->corners();
+  const Vector2 before = (corners[0] - position).normalized();
+  const Vector2 behind = (corners[1] - corners[0]).normalized();
+  const Vector2 beyond = pointAlong({corners.begin() + 1, corners.size() - 1}, corners[0], OUTSIDE_WIDTH);
+  std::vector<Vector2> way_outside(corners.begin(), corners.end());
+  double least = max_time;
+  for (double distance = CongestionMap::CELL; distance <= OUTSIDE_WIDTH; distance += CongestionMap::CELL) {
+    const Vector2 place = corners[0] + distance * (before - behind).normalized();
+    if (!query.isStraight(position, place) || !query.isStraight(place, beyond)) break;
+    way_outside[0] = place;
+    const double time = timeOf(agent, {way_outside.data(), way_outside.size()});
+    if (time > least) continue;
+    least = time;
+    way.lane = Lane{place, (before + behind).normalized()};
+    way.aim = Aim{place, corners[0], position};
   }
 }
 
@@ -115,7 +163,7 @@ Vector2 WayFinder::nextPoint(const Agent& agent, Way& way, const StopRequest& st
     way.floor = Floor::OPEN;
     way.follower->replan();
   }
-  if (!open_) open_.emplace(navigationDataOf(*open_floor_, radius_, stop)->tight);
+  if (!open_) open_.emplace(navigationData(*open_floor_, radius_, stop)->tight);
   return way.follower->next(position, *open_);
 }
 
@@ -127,12 +175,7 @@ bool WayFinder::areConnected(const Vector2& from, const Vector2& to) {
 /// In corridors agents walk on the right, so that agents in opposite directions do not meet head-on.
 Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const {
   const Vector2& position = agent.pose.position;
-  if (way.aim && way.aim->corner != next) way.spread = 0.0;
   bool is_due = !way.aim || way.aim->corner != next || (position - way.aim->from).norm() >= AIM_DISTANCE;
-  if (way.aim && way.spread >= way.aim->spread + SPREAD_STEP) {
-    is_due = true;
-    way.lane.reset();
-  }
   if (way.lane) {
     const Vector2 offset = way.lane->place - position;
     const bool is_passed = offset.dot(way.lane->forward) <= 0.0 || offset.norm() < LANE_REACHED;
@@ -140,7 +183,7 @@ Vector2 WayFinder::keepRight(const Agent& agent, const Vector2& next, Way& way, 
     if (is_passed || (is_due && !query.isStraight(position, way.lane->place))) way.lane.reset();
   }
   if (is_due) {
-    way.aim = Aim{way.lane ? way.lane->place : chooseAim(agent, next, way, query), next, position, way.spread};
+    way.aim = Aim{way.lane ? way.lane->place : chooseAim(agent, next, way, query), next, position};
   }
   return way.aim->point;
 }
@@ -152,13 +195,8 @@ Vector2 WayFinder::chooseAim(const Agent& agent, const Vector2& next, Way& way, 
   const double distance = (next - position).norm();
   if (distance < LANE_REACHED || (corners.size() < 2 && distance < LANE_LOOKAHEAD)) return next;
   const Vector2 direction = (next - position) / distance;
-  const auto past_corner = [&] { return Vector2((direction + (corners[1] - next).normalized()).normalized()); };
-  if (const auto place = placeOutside(position, next, way, query)) {
-    way.lane = Lane{*place, past_corner()};
-    return *place;
-  }
   const bool is_corner = distance < LANE_LOOKAHEAD;
-  const Vector2 forward = is_corner ? past_corner() : direction;
+  const Vector2 forward = is_corner ? Vector2((direction + (corners[1] - next).normalized()).normalized()) : direction;
   const Vector2 ahead = position + std::min(distance, LANE_LOOKAHEAD) * direction;
   if (!isCorridor(position, ahead, direction, agent.radius)) return next;
   Vector2 place = laneBeside(ahead, forward, agent.radius);
@@ -167,49 +205,19 @@ Vector2 WayFinder::chooseAim(const Agent& agent, const Vector2& next, Way& way, 
   return place;
 }
 
-/// Where an agent that was slowed down passes a corner with a wide floor beside it: not at the corner, where the others
-/// are, but farther outside. The longer it was slowed down, the farther.
-std::optional<Vector2> WayFinder::placeOutside(const Vector2& position, const Vector2& next, const Way& way,
-                                               NavigationMesh::Query& query) {
-  const Span<Vector2> corners = way.follower->corners();
-  const double distance = (next - position).norm();
-  if (corners.size() < 2 || way.spread < SPREAD_STEP || distance > SPREAD_LOOKAHEAD) return std::nullopt;
-  const Vector2 direction = (next - position) / distance;
-  const Vector2 beyond = pointAlong({corners.begin() + 1, corners.size() - 1}, next, SPREAD_WIDTH);
-  const Vector2 outward = (direction - (beyond - next).normalized()).normalized();
-  // The floor must be wide on both sides of the corner: this is not so at a door.
-  const Vector2 wide = next + SPREAD_WIDTH * outward;
-  if (!query.isStraight(next, wide) || !query.isStraight(wide, beyond)) return std::nullopt;
-  const Vector2 place = next + way.spread * outward;
-  const bool is_free = query.isStraight(position, place) && query.isStraight(place, beyond);
-  return is_free ? std::optional<Vector2>(place) : std::nullopt;
-}
-
 /// Whether the floor is bounded on both sides all along this line.
 bool WayFinder::isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const {
   constexpr std::array<double, 4> SHARES = {0.0, 0.33, 0.67, 1.0};
   return std::all_of(SHARES.begin(), SHARES.end(), [&](double share) {
-    return floorBeside(from + share * (to - from), forward, radius).width() < LANE_WIDTH;
+    return data_->ruler.widthAt(from + share * (to - from), forward, radius, LANE_WIDTH).total() < LANE_WIDTH;
   });
-}
-
-WayFinder::Sides WayFinder::floorBeside(const Vector2& place, const Vector2& forward, double radius) const {
-  const Vector2 right(forward.y(), -forward.x());
-  const auto room = [&](const Vector2& side, double limit) {
-    double width = 0.0;
-    while (width < limit && data_->passages.fits(place + (width + LANE_STEP) * side, radius)) width += LANE_STEP;
-    return width;
-  };
-  // Wider floor is not measured to the end.
-  const double left = room(-right, LANE_WIDTH);
-  return {left, room(right, LANE_WIDTH + LANE_STEP - left)};
 }
 
 /// The place to the right, on the line across the floor, where agents in this direction pass.
 Vector2 WayFinder::laneBeside(const Vector2& place, const Vector2& forward, double radius) const {
-  const Sides room = floorBeside(place, forward, radius);
-  if (room.width() > LANE_WIDTH || room.width() < 2.0 * radius + LANE_STEP) return place;
-  const double shift = room.right - std::max(LANE_MARGIN, LANE_SHARE * room.width());
+  const FloorWidth room = data_->ruler.widthAt(place, forward, radius, LANE_WIDTH);
+  if (room.total() > LANE_WIDTH || room.total() < 2.0 * radius + LANE_ROOM) return place;
+  const double shift = room.right - std::max(LANE_MARGIN, LANE_SHARE * room.total());
   return shift > 0.0 ? Vector2(place + shift * Vector2(forward.y(), -forward.x())) : place;
 }
 

@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "navigation/congestion_map.h"
 #include "navigation/deadlock_resolver.h"
 #include "navigation/mesh_cache.h"
 #include "navigation/path_follower.h"
-#include "navigation/right_of_way.h"
+#include "navigation/turn_taking.h"
 #include "navigation/walking_floor.h"
 #include "world/world.h"
 
@@ -18,10 +19,9 @@ namespace crowd {
 /// @brief Leads agents round walls and obstacles at rest: an agent whose goal is hidden perceives the next corner of a
 /// way to it instead (World::setWaypoint). Learners and learning are the same as without.
 ///
-/// Ways are found for the radius of the largest agent. They keep COMFORTABLE_MARGIN from walls where there is room. At
-/// narrow passages agents go one direction after the other (RightOfWay). An agent that is slowed down in front of a
-/// corner with a wide floor beside it passes the corner farther outside, so that a crowd uses the width. Deterministic;
-/// depends only on the world.
+/// Ways are found for the radius of the largest agent. They keep COMFORTABLE_MARGIN from walls where there is room, and
+/// lead round crowds if that saves time (CongestionMap). In narrow places agents take turns (TurnTaking).
+/// Deterministic; depends only on the world.
 ///
 /// An agent whose goal is behind closed gates walks up to them. One whose goal is out of reach stays, unless it sees
 /// it.
@@ -53,12 +53,6 @@ class WayFinder {
     Vector2 place;
     Vector2 forward;  // unit vector of the direction there
   };
-  /// Free floor beside a place [m].
-  struct Sides {
-    double left;
-    double right;
-    double width() const { return left + right; }
-  };
   /// What a way is found on. OPEN: the tight mesh with all gates open.
   enum class Floor : std::uint8_t { COMFORTABLE, TIGHT, OPEN };
   /// The point that an agent walks to, and when it was chosen: it is kept until the agent has moved on.
@@ -66,7 +60,6 @@ class WayFinder {
     Vector2 point;
     Vector2 corner;  // the next corner of the path then
     Vector2 from;    // place of the agent then
-    double spread;   // that of the way then [m]
   };
   /// Way of one agent.
   struct Way {
@@ -74,20 +67,19 @@ class WayFinder {
     std::optional<Aim> aim;
     std::optional<PathFollower> follower;
     Floor floor = Floor::COMFORTABLE;
-    double spread = 0.0;  // grows while the agent is slowed down in front of its corner: how far outside it passes [m]
     bool out_of_reach = false;
   };
 
   void adoptLayout(World& world);
   void lead(Agent& agent, Way& way, const World& world);
+  void reconsider(const Agent& agent, Way& way, const World& world);
+  double timeOf(const Agent& agent, Span<Vector2> corners) const;
+  void passOutside(const Agent& agent, double max_time, Way& way, NavigationMesh::Query& query) const;
   Vector2 nextPoint(const Agent& agent, Way& way, const StopRequest& stop);
   bool areConnected(const Vector2& from, const Vector2& to);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   Vector2 chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
-  static std::optional<Vector2> placeOutside(const Vector2& position, const Vector2& next, const Way& way,
-                                             NavigationMesh::Query& query);
   bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
-  Sides floorBeside(const Vector2& place, const Vector2& forward, double radius) const;
   Vector2 laneBeside(const Vector2& place, const Vector2& forward, double radius) const;
 
   std::uint64_t layout_changes_ = 0;  // of the world that `data_` belongs to
@@ -101,7 +93,8 @@ class WayFinder {
   std::vector<Segment> gates_;
   std::optional<FloorPlan> open_floor_;        // with all gates open, if any is closed
   std::optional<NavigationMesh::Query> open_;  // on its tight mesh; made when it is needed
-  std::optional<RightOfWay> right_of_way_;
+  CongestionMap congestion_;
+  std::optional<TurnTaking> turns_;
   DeadlockResolver deadlocks_;
   AgentMap<Way> ways_;
   AgentMap<RemainingPath> paths_;

@@ -43,7 +43,7 @@ WayLengths::Floor& WayLengths::floorFor(const World& world, const Vector2& from,
   FloorPlan without_gates = plan;
   floor.has_closed_gates = openGates(gates_, without_gates);
   if (floor.has_barriers) {
-    floor.query.emplace(navigationDataOf(opened ? without_gates : plan, largest, world.stopRequest())->tight);
+    floor.query.emplace(navigationData(opened ? without_gates : plan, largest, world.stopRequest())->tight);
   }
   return kept.emplace(std::move(floor));
 }

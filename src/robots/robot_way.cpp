@@ -37,7 +37,7 @@ void RobotWay::adoptLayout(const World& world, const Robot& robot, const Vector2
   bounds_ = *floor.bounds;
   if (!hasBarriers(floor)) return;
   try {
-    data_ = navigationDataOf(floor, radius, world.stopRequest());
+    data_ = navigationData(floor, radius, world.stopRequest());
   } catch (const InputError&) {  // the floor is too large: it drives straight, as agents walk then
   }
 }

@@ -11,7 +11,7 @@
 
 namespace crowd {
 
-/// @brief Leads one robot round walls and obstacles at rest, as WayFinder leads agents, but without lanes, right of way
+/// @brief Leads one robot round walls and obstacles at rest, as WayFinder leads agents, but without lanes, turns
 /// and gates: it keeps COMFORTABLE_MARGIN from walls where there is room, for the smallest disc that contains its
 /// footprint. The caller calls next() once a tick.
 class RobotWay {

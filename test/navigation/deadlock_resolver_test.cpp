@@ -68,6 +68,21 @@ class Crowd {
 /// Two agents of radius 0.2 m that meet head-on at x = 0 after 3.3 s: neither goes round the other one.
 std::vector<AgentStart> headOn() { return {walker({-3.5, 0.0}, {9.0, 0.0}), walker({3.5, 0.0}, {-9.0, 0.0})}; }
 
+/// Both walk east. Agent 1 waits right in front of agent 0.
+TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatItBlocks) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({0.45, 0.0}, {9.0, 0.0})});
+  while (crowd.world.time() < DeadlockResolver::STUCK_TIME) {
+    EXPECT_FALSE(crowd.givesWay(1)) << crowd.world.time();
+    crowd.world.walkingAgent(1).yielding = true;
+    crowd.stand();
+  }
+  crowd.world.walkingAgent(1).yielding = true;
+  crowd.stand();
+  EXPECT_TRUE(crowd.givesWay(1));
+  EXPECT_FALSE(crowd.world.agents()[1].yielding);
+  EXPECT_FALSE(crowd.givesWay(0));
+}
+
 TEST(DeadlockResolver, OneOfTwoGivesWay) {
   Crowd crowd(headOn());
   crowd.walkUntilAnyGivesWay(60.0);
@@ -252,7 +267,7 @@ TEST(DeadlockResolver, AgentsThatPassEachOtherDoNotGiveWay) {
 }
 
 /// A corridor of 1.6 m with a narrow part of 0.7 m from x = -2 to x = 2. Two bodies of 0.5 m do not pass each other
-/// there, and there is no room to wait in front of it, so that no right of way applies.
+/// there.
 TEST(DeadlockResolver, BothArriveThroughACorridorInWhichTheyCannotPassEachOther) {
   const ScenarioList scenarios = parseScenarios(
       "name: corridor\nduration: 200\ngoal_tolerance: 0.3\ncontact: solid\n"

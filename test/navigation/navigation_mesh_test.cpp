@@ -65,6 +65,25 @@ double lengthRoundTheU(double radius) {
   return 2.0 * tangent + 4.0 + (first_turn + second_turn) * radius;
 }
 
+/// A room with a wall that has two doors. The way round the nearer one leads through the other one.
+TEST(NavigationMesh, FindsAWayAroundADisc) {
+  FloorPlan floor = floors::room({-5.0, -4.0}, {5.0, 6.0});
+  floor.walls.push_back({{0.0, -4.0}, {0.0, -0.5}});
+  floor.walls.push_back({{0.0, 0.5}, {0.0, 3.5}});
+  floor.walls.push_back({{0.0, 4.5}, {0.0, 6.0}});
+  Query query{NavigationMesh(floor, CLEARANCE)};
+  const Vector2 from(-4.0, 0.0);
+  const Vector2 to(4.0, 0.0);
+  const FloorPlan::Disc door{{0.0, 0.0}, 0.2};
+  const auto path = query.findWayAround(door, from, to, 20.0);
+  ASSERT_TRUE(path);
+  EXPECT_GT(path->length, 2.0 * std::hypot(4.0, 3.5));  // past (0, 3.5)
+  EXPECT_LT(path->length, 2.0 * std::hypot(4.0, 4.0));
+  EXPECT_FALSE(query.findWayAround(door, from, to, 10.0));
+  EXPECT_FALSE(query.findWayAround({{0.0, 2.0}, 3.0}, from, to, 100.0));
+  EXPECT_NEAR(query.findPath(from, to)->length, 8.0, 1e-9);  // the disc is forgotten
+}
+
 TEST(NavigationMesh, PathOutOfATrapIsShortest) {
   EXPECT_NEAR(lengthRoundTheU(0.3), 10.6312, 1e-4);  // by hand
   FloorPlan floor = floors::room({-6.0, -6.0}, {6.0, 6.0});

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "navigation/right_of_way.h"
+#include "navigation/remaining_path.h"
 #include "support/scenes.h"
 #include "support/straight_walk.h"
 

@@ -1,0 +1,163 @@
+#include "navigation/turn_taking.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crowd {
+namespace {
+
+constexpr double OPPOSITE = -0.3;  // cosine of the angle from which directions are opposite
+constexpr double SAME = 0.3;       // cosine of the angle up to which they are the same
+constexpr double REACH = 0.1;  // claims farther apart than the floor is wide, and this, are not in each other's way [m]
+constexpr double WALKING_SHARE = 0.1;   // of the maximum speed, above which an agent gets on
+constexpr double ASIDE_GAP = 0.15;      // an agent that waits steps aside if somebody passes nearer than this [m],
+constexpr double ASIDE_LEAVE = 0.3;     // and until nobody passes nearer than this [m]
+constexpr double ASIDE_DISTANCE = 1.0;  // of the point that it walks to [m]
+constexpr double TURNED_BACK = -0.7;    // cosine from which the direction aside leads back towards who passes
+
+bool getsOn(const Agent& agent, const Claimant& claimant) {
+  return agent.velocity.dot(claimant.heading) > WALKING_SHARE * agent.max_speed;
+}
+
+bool isRightBehind(const Agent& agent, const Vector2& heading, const Agent& other) {
+  const Vector2 offset = other.pose.position - agent.pose.position;
+  const double radii = agent.radius + other.radius;
+  const bool is_ahead = offset.dot(heading) > 0.0 && std::abs(cross(heading, offset)) < radii;
+  return is_ahead && offset.norm() - radii < TurnTaking::QUEUE_GAP;
+}
+
+}  // namespace
+
+void TurnTaking::update(World& world, const AgentMap<RemainingPath>& paths) {
+  claims_.update(world, paths, *floor_);
+  approaches_.follow(world.agents());
+  auto claimant = claims_.claimants().begin();
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const bool has_claims = claimant != claims_.claimants().end() && claimant->agent == world.agents().nth(i).id;
+    if (has_claims) {
+      noteApproach(*claimant++, world.time(), approaches_.nth(i));
+    } else {
+      approaches_.nth(i) = Approach();
+    }
+  }
+  for (const Claimant& own : claims_.claimants()) {
+    if (mustWait(world, own, trafficOf(world, own))) {
+      world.walkingAgent(own.agent).yielding = true;
+      if (!own.isInside()) stepAside(world, own);
+    } else {
+      approaches_[own.agent].aside = Vector2::Zero();
+    }
+  }
+}
+
+/// The time begins anew behind each narrow part.
+void TurnTaking::noteApproach(const Claimant& claimant, double time, Approach& approach) const {
+  if (approach.begin == NEVER || (approach.was_inside && !claimant.isInside())) approach.begin = time;
+  approach.was_inside = claimant.isInside();
+}
+
+TurnTaking::Traffic TurnTaking::trafficOf(const World& world, const Claimant& claimant) {
+  Traffic traffic;
+  (claimant.isInside() ? traffic.same_inside : traffic.same) = &claimant;
+  bool is_narrow = false;
+  for (const Claim& claim : claims_.of(claimant)) {
+    if (is_narrow && !claim.is_narrow) break;  // the first narrow part only
+    is_narrow = claim.is_narrow;
+    if (is_narrow) addTraffic(world, claimant, claim, traffic);
+  }
+  return traffic;
+}
+
+void TurnTaking::addTraffic(const World& world, const Claimant& claimant, const Claim& claim, Traffic& traffic) {
+  const Agent& agent = world.agents()[claimant.agent];
+  for (const Claim* other : claims_.near(claim.place, std::max(2.0 * WayClaims::STEP, claim.width + REACH))) {
+    const Claimant& its = claims_.claimants()[other->claimant];
+    if (&its == &claimant) continue;
+    const double cosine = other->direction.dot(claim.direction);
+    const bool is_inside = its.isInside() && other->passage == 0;
+    if (cosine < OPPOSITE) {
+      const double other_radius = world.agents()[its.agent].radius;
+      if (!other->is_narrow || claim.width >= WayClaims::passingWidth(agent.radius, other_radius)) continue;
+      if (is_inside) {
+        replaceIfLonger(traffic.opposite_inside, its);
+        traffic.do_opposite_walk = traffic.do_opposite_walk || getsOn(world.agents()[its.agent], its);
+      } else {
+        replaceIfLonger(traffic.opposite, its);
+      }
+    } else if (cosine > SAME) {
+      const bool is_ahead =
+          its.distance < claimant.distance || (its.distance == claimant.distance && its.agent < agent.id);
+      if (is_ahead && !its.isInside() && !traffic.is_queued) {
+        traffic.is_queued = isRightBehind(agent, claimant.heading, world.agents()[its.agent]);
+      }
+      if (is_inside) {
+        replaceIfLonger(traffic.same_inside, its);
+      } else if (other->is_narrow) {
+        replaceIfLonger(traffic.same, its);
+      }
+    }
+  }
+}
+
+/// Of two agents that wait for the same time, the one with the lower id goes first.
+bool TurnTaking::hasWaitedLonger(const Claimant& a, const Claimant& b) const {
+  const double a_begin = approaches_[a.agent].begin;
+  const double b_begin = approaches_[b.agent].begin;
+  return a_begin < b_begin || (a_begin == b_begin && a.agent < b.agent);
+}
+
+void TurnTaking::replaceIfLonger(const Claimant*& longest, const Claimant& other) const {
+  if (longest == nullptr || hasWaitedLonger(other, *longest)) longest = &other;
+}
+
+bool TurnTaking::mustWait(const World& world, const Claimant& claimant, const Traffic& traffic) {
+  double& blocked_since = approaches_[claimant.agent].blocked_since;
+  if (traffic.opposite_inside == nullptr || traffic.do_opposite_walk) {
+    blocked_since = NEVER;
+  } else if (blocked_since == NEVER) {
+    blocked_since = world.time();
+  }
+  if (claimant.isInside()) {
+    return traffic.opposite_inside != nullptr && hasWaitedLonger(*traffic.opposite_inside, *traffic.same_inside);
+  }
+  if (traffic.is_queued) return true;
+  if (claimant.distance >= WAITING_DISTANCE) return false;
+  const bool is_blocked = blocked_since != NEVER && world.time() - blocked_since >= PATIENCE;
+  if (traffic.opposite_inside != nullptr) return !is_blocked;
+  if (traffic.opposite == nullptr) return false;
+  if (traffic.same_inside == nullptr) return hasWaitedLonger(*traffic.opposite, *traffic.same);
+  const double same_begin = approaches_[traffic.same->agent].begin;
+  return approaches_[traffic.opposite->agent].begin < same_begin - TURN_TIME - claimant.length;
+}
+
+/// Lets an agent that waits clear the way of those who come towards it. It keeps the side that it chose.
+void TurnTaking::stepAside(World& world, const Claimant& claimant) {
+  Agent& agent = world.walkingAgent(claimant.agent);
+  Vector2& aside = approaches_[agent.id].aside;
+  const bool was_aside = aside != Vector2::Zero();
+  const double reach = was_aside ? ASIDE_LEAVE : ASIDE_GAP;
+  const Claim* nearest = nullptr;
+  double least = reach;
+  for (const Claim* other : claims_.near(agent.pose.position, agent.radius + claims_.largestRadius() + reach)) {
+    const Claimant& its = claims_.claimants()[other->claimant];
+    const bool is_oncoming = other->direction.dot(claimant.heading) <= OPPOSITE && other->ahead <= WayClaims::LOOKAHEAD;
+    if (&its == &claimant || !is_oncoming) continue;
+    const double gap = (other->place - agent.pose.position).norm() - agent.radius - world.agents()[its.agent].radius;
+    if (gap >= least) continue;
+    least = gap;
+    nearest = other;
+  }
+  if (nearest == nullptr) {
+    aside = Vector2::Zero();
+    return;
+  }
+  if (!was_aside || aside.dot(nearest->direction) < TURNED_BACK) {
+    const Vector2 offset = agent.pose.position - nearest->place;
+    const Vector2 left(-nearest->direction.y(), nearest->direction.x());
+    aside = offset.dot(left) > 0.0 ? left : Vector2(-left);
+  }
+  agent.yielding = false;
+  agent.setWaypoint(agent.pose.position + ASIDE_DISTANCE * aside);
+}
+
+}  // namespace crowd

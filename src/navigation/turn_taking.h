@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "navigation/floor_ruler.h"
+#include "navigation/remaining_path.h"
+#include "navigation/way_claims.h"
+#include "world/world.h"
+
+namespace crowd {
+
+/// @brief Where the floor is too narrow for two agents to pass each other, opposite directions go in turns, and agents
+/// of one direction go one behind the other (docs/way_finding.md).
+///
+/// The direction in which an agent has been on its way to the narrow part for the longest time goes first, and goes on
+/// for a while. Agents of the other direction wait at a distance, and step aside for those who come out. If both
+/// directions are inside, one of them stops, and walks back where it is in the way (DeadlockResolver).
+///
+/// Call contract: update() once per tick, after waypoints were set; it replaces waypoints of agents that step aside,
+/// and makes agents wait (Agent::yielding). Deterministic; depends only on the world and the ways. Not thread-safe.
+class TurnTaking {
+ public:
+  static constexpr double WAITING_DISTANCE = 1.8;  ///< agents wait at this distance from the narrow part [m]
+  static constexpr double TURN_TIME = 6.0;         ///< the direction that is inside goes on for this time at least [s]
+  static constexpr double PATIENCE = 8.0;          ///< agents wait for this time for those inside that stand [s]
+  static constexpr double QUEUE_GAP = 0.2;         ///< in front of narrow parts [m]
+
+  explicit TurnTaking(std::shared_ptr<const FloorRuler> floor) : floor_(std::move(floor)) {}
+
+  /// @param paths of the agents of the world; empty for those that have none
+  void update(World& world, const AgentMap<RemainingPath>& paths);
+
+ private:
+  /// What an agent remembers about the narrow part ahead of it.
+  struct Approach {
+    double begin = NEVER;          // time at which it came into sight [s]
+    double blocked_since = NEVER;  // time since which agents of the opposite direction are inside and stand [s]
+    bool was_inside = false;
+    Vector2 aside = Vector2::Zero();  // direction in which the agent steps aside; zero if it does not
+  };
+  /// Who else is about to pass the first narrow part on an agent's way.
+  struct Traffic {
+    bool is_queued = false;              // an agent outside, nearer to the narrow part, is right ahead
+    const Claimant* opposite = nullptr;  // outside, the one that has waited for the longest time
+    const Claimant* same = nullptr;      // the same, in the agent's direction; may be the agent itself
+    const Claimant* opposite_inside = nullptr;
+    const Claimant* same_inside = nullptr;
+    bool do_opposite_walk = false;  // any of those inside
+  };
+  static constexpr double NEVER = -1.0;
+
+  void noteApproach(const Claimant& claimant, double time, Approach& approach) const;
+  Traffic trafficOf(const World& world, const Claimant& claimant);
+  void addTraffic(const World& world, const Claimant& claimant, const Claim& claim, Traffic& traffic);
+  void replaceIfLonger(const Claimant*& longest, const Claimant& other) const;
+  bool hasWaitedLonger(const Claimant& a, const Claimant& b) const;
+  bool mustWait(const World& world, const Claimant& claimant, const Traffic& traffic);
+  void stepAside(World& world, const Claimant& claimant);
+
+  std::shared_ptr<const FloorRuler> floor_;
+  WayClaims claims_;
+  AgentMap<Approach> approaches_;
+};
+
+}  // namespace crowd

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/neighbour_grid.h"
+#include "navigation/floor_ruler.h"
+#include "navigation/remaining_path.h"
+#include "world/world.h"
+
+namespace crowd {
+
+/// @brief A place on the way ahead of an agent.
+struct Claim {
+  Vector2 place = Vector2::Zero();       ///< [m], `map`
+  Vector2 direction = Vector2::UnitX();  ///< of the way there, unit vector
+  double ahead = 0.0;                    ///< length of the way to it [m]
+  double width = 0.0;                    ///< free floor across the way, for the agent's centre; where it is narrow [m]
+  bool is_narrow = false;                ///< agents of this size and in opposite directions cannot pass each other
+  std::uint32_t passage = 0;             ///< number of narrow parts of the way that begin between the agent and it
+  std::uint32_t claimant = 0;            ///< see WayClaims::claimants()
+};
+
+/// @brief An agent whose way leads through a narrow part of the floor.
+struct Claimant {
+  AgentId agent = 0;
+  std::uint32_t first = 0;             // of its claims
+  std::uint32_t last = 0;              // behind its last claim
+  Vector2 heading = Vector2::UnitX();  ///< to the place on its way at HEADING_DISTANCE, unit vector
+  double distance = 0.0;               ///< of the first narrow place on its way; 0 inside [m]
+  double length = 0.0;                 ///< of the first narrow part of its way [m]
+  bool isInside() const { return distance <= 0.0; }
+};
+
+/// @brief The ways that agents are about to take: places at intervals of STEP on the next LOOKAHEAD of them, or to the
+/// end of a narrow part that begins there. Only of agents for whom there is such a part.
+///
+/// Call contract: update() once per tick; the results are valid until the next call. Not thread-safe.
+class WayClaims {
+ public:
+  static constexpr double STEP = 0.2;              ///< [m]
+  static constexpr double LOOKAHEAD = 3.0;         ///< [m]
+  static constexpr double MAX_LENGTH = 25.0;       ///< of ways through a narrow part [m]
+  static constexpr double HEADING_DISTANCE = 0.4;  ///< [m]
+  static constexpr double PASSING_ROOM = 0.6;      ///< beside two bodies that pass each other [m]
+
+  /// @brief The free width of floor, for the centre of the first agent, on which two agents pass each other [m].
+  static double passingWidth(double radius, double other_radius) { return radius + other_radius + PASSING_ROOM; }
+  /// @brief The clearance beyond which floor is wide for agents up to a radius [m].
+  static double wideClearance(double radius) { return radius + 0.5 * passingWidth(radius, radius); }
+
+  void update(const World& world, const AgentMap<RemainingPath>& paths, const FloorRuler& floor);
+
+  /// @brief By ascending id of the agents.
+  const std::vector<Claimant>& claimants() const { return claimants_; }
+  Span<Claim> of(const Claimant& claimant) const {
+    return {claims_.data() + claimant.first, std::size_t{claimant.last} - claimant.first};
+  }
+  /// @brief Of the claimants [m].
+  double largestRadius() const { return largest_radius_; }
+  /// @brief The claims within a distance of a place [m]. Valid until the next call.
+  const std::vector<const Claim*>& near(const Vector2& place, double distance);
+
+ private:
+  void addWay(const Agent& agent, const RemainingPath& path, const FloorRuler& floor);
+
+  std::vector<Claimant> claimants_;
+  std::vector<Claim> claims_;
+  double largest_radius_ = 0.0;  // of the claimants [m]
+  NeighbourGrid grid_;           // of the claims
+  std::vector<std::uint32_t> found_;
+  std::vector<const Claim*> near_;
+};
+
+}  // namespace crowd
