@@ -17,6 +17,8 @@ constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
 constexpr double LANE_REACHED = 0.4;    // [m]
 constexpr double AIM_DISTANCE = 0.25;   // an agent aims at the same point until it has moved this far [m]
 constexpr double WAY_TIME = 2.0;        // after which an agent compares its way with others [s]
+constexpr double MAX_WAY_TIME = 16.0;   // the same, after several searches that found none [s]
+constexpr unsigned WAY_GROUPS = 20;     // of agents that do so at different times
 constexpr double LEAST_DELAY = 4.0;     // for which it does [s]
 constexpr double DELAY_SHARE = 0.8;     // of a delay that will be there when it arrives
 constexpr double LEAST_GAIN = 4.0;      // for which it takes another way [s]
@@ -81,6 +83,8 @@ void WayFinder::lead(Agent& agent, Way& way, const World& world) {
   if (!way.follower || way.follower->goal() != agent.goal()) {
     way = Way();
     way.follower.emplace(agent.goal());
+    way.search_interval = WAY_TIME;
+    way.search_time = world.time() + WAY_TIME * (agent.id % WAY_GROUPS) / double{WAY_GROUPS};
   }
   const Vector2 next = nextPoint(agent, way, world.stopRequest());
   const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
@@ -96,23 +100,29 @@ void WayFinder::lead(Agent& agent, Way& way, const World& world) {
 }
 
 /// An agent that will be held up by a crowd on its way takes another one, or passes the next corner farther outside, if
-/// that saves time. Agents do so in turns, so that they do not all choose the same one at the same time.
+/// that saves time. Agents do so at different times, so that they do not all choose the same one.
 void WayFinder::reconsider(const Agent& agent, Way& way, const World& world) {
-  const auto interval = static_cast<std::uint64_t>(std::max(1.0, std::round(WAY_TIME / world.tickDuration())));
-  if ((world.tick() + agent.id) % interval != 0 || !way.follower || way.floor == Floor::OPEN) return;
-  if (way.follower->goal() != agent.goal() || agent.at_goal || agent.held) return;
+  const bool is_led = way.follower && way.follower->goal() == agent.goal() && way.floor != Floor::OPEN;
+  if (!is_led || agent.at_goal || agent.held || world.time() < way.search_time) return;
+  way.search_time = world.time() + WAY_TIME;
   const Vector2& place = agent.pose.position;
   const Span<Vector2> corners = way.follower->corners();
   const CongestionMap::Delay delay = congestion_.delayOn(place, corners, agent.max_speed);
-  if (delay.total < LEAST_DELAY) return;
+  if (delay.total < LEAST_DELAY) {
+    way.search_interval = WAY_TIME;
+    return;
+  }
   const double max_time = timeOf(agent, corners) - LEAST_GAIN;
   NavigationMesh::Query& query = way.floor == Floor::COMFORTABLE ? *comfortable_ : *tight_;
+  if (corners.size() > 1 && !way.lane && passOutside(agent, max_time, way, query)) return;
   std::optional<Path> other =
       query.findWayAround({delay.place, CROWD_RADIUS}, place, agent.goal(), max_time * agent.max_speed);
   if (other && timeOf(agent, {other->corners.data(), other->corners.size()}) <= max_time) {
     way.follower->follow(std::move(*other));
-  } else if (corners.size() > 1 && !way.lane) {
-    passOutside(agent, max_time, way, query);
+    way.search_interval = WAY_TIME;
+  } else {
+    way.search_time = world.time() + way.search_interval;
+    way.search_interval = std::min(MAX_WAY_TIME, 2.0 * way.search_interval);
   }
 }
 
@@ -123,8 +133,9 @@ double WayFinder::timeOf(const Agent& agent, Span<Vector2> corners) const {
   return lengthOf(corners, place) / agent.max_speed + DELAY_SHARE * delay;
 }
 
-/// Lets an agent pass the next corner where that takes the least time, and at most this time [s].
-void WayFinder::passOutside(const Agent& agent, double max_time, Way& way, NavigationMesh::Query& query) const {
+/// Lets an agent pass the next corner where that takes the least time, and at most this time [s]. Returns false if
+/// there is no such place.
+bool WayFinder::passOutside(const Agent& agent, double max_time, Way& way, NavigationMesh::Query& query) const {
   const Vector2& position = agent.pose.position;
   const Span<Vector2> corners = way.follower->corners();
   const Vector2 before = (corners[0] - position).normalized();
@@ -132,6 +143,7 @@ void WayFinder::passOutside(const Agent& agent, double max_time, Way& way, Navig
   const Vector2 beyond = pointAlong({corners.begin() + 1, corners.size() - 1}, corners[0], OUTSIDE_WIDTH);
   std::vector<Vector2> way_outside(corners.begin(), corners.end());
   double least = max_time;
+  bool found = false;
   for (double distance = CongestionMap::CELL; distance <= OUTSIDE_WIDTH; distance += CongestionMap::CELL) {
     const Vector2 place = corners[0] + distance * (before - behind).normalized();
     if (!query.isStraight(position, place) || !query.isStraight(place, beyond)) break;
@@ -139,9 +151,11 @@ void WayFinder::passOutside(const Agent& agent, double max_time, Way& way, Navig
     const double time = timeOf(agent, {way_outside.data(), way_outside.size()});
     if (time > least) continue;
     least = time;
+    found = true;
     way.lane = Lane{place, (before + behind).normalized()};
     way.aim = Aim{place, corners[0], position};
   }
+  return found;
 }
 
 Vector2 WayFinder::nextPoint(const Agent& agent, Way& way, const StopRequest& stop) {

@@ -67,6 +67,8 @@ class WayFinder {
     std::optional<Aim> aim;
     std::optional<PathFollower> follower;
     Floor floor = Floor::COMFORTABLE;
+    double search_time = 0.0;      // time from which it is compared with others [s]
+    double search_interval = 0.0;  // longer after each search that found none [s]
     bool out_of_reach = false;
   };
 
@@ -74,7 +76,7 @@ class WayFinder {
   void lead(Agent& agent, Way& way, const World& world);
   void reconsider(const Agent& agent, Way& way, const World& world);
   double timeOf(const Agent& agent, Span<Vector2> corners) const;
-  void passOutside(const Agent& agent, double max_time, Way& way, NavigationMesh::Query& query) const;
+  bool passOutside(const Agent& agent, double max_time, Way& way, NavigationMesh::Query& query) const;
   Vector2 nextPoint(const Agent& agent, Way& way, const StopRequest& stop);
   bool areConnected(const Vector2& from, const Vector2& to);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
