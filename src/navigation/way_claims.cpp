@@ -26,10 +26,10 @@ void WayClaims::addWay(const Agent& agent, const RemainingPath& path, const Floo
   bool is_first = true;  // narrow part
   Vector2 from = agent.pose.position;
   double passed = 0.0;  // length of the way to `from`
-  const auto isEnd = [&] { return claim.ahead > (claim.is_narrow ? MAX_LENGTH : LOOKAHEAD); };
+  const auto is_end = [&] { return claim.ahead > (claim.is_narrow ? MAX_LENGTH : LOOKAHEAD); };
   for (const Vector2& corner : path) {
     const double length = (corner - from).norm();
-    for (; claim.ahead <= passed + length && !isEnd(); claim.ahead += STEP) {
+    for (; claim.ahead <= passed + length && !is_end(); claim.ahead += STEP) {
       if (length > 0.0) claim.direction = (corner - from) / length;
       claim.place = from + (claim.ahead - passed) * claim.direction;
       const bool was_narrow = claim.is_narrow;
@@ -45,7 +45,7 @@ void WayClaims::addWay(const Agent& agent, const RemainingPath& path, const Floo
       is_first = is_first && (claim.is_narrow || !has_narrow);
       claims_.push_back(claim);
     }
-    if (isEnd()) break;
+    if (is_end()) break;
     passed += length;
     from = corner;
   }
