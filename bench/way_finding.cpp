@@ -9,7 +9,7 @@
 #include "measuring.h"
 #include "navigation/mesh_cache.h"
 #include "navigation/path_follower.h"
-#include "navigation/turn_taking.h"
+#include "navigation/way_claims.h"
 #include "office.h"
 
 namespace crowd {

@@ -16,7 +16,6 @@ constexpr double REACH = 0.6;             // between bodies that block each othe
 constexpr double WAITER_REACH = 0.2;      // between an agent that waits and one that it blocks [m]
 constexpr double TOUCH = 0.1;             // bodies nearer to each other than this may wedge [m]
 constexpr double BESIDE = 0.2;            // behind the line beside an agent [m]
-constexpr double OPPOSITE = -0.3;         // cosine of the angle from which directions are opposite
 constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
 constexpr double CONTACT = 0.02;          // an agent slides along what is nearer than this [m]
 constexpr double WALKED_BACK = 0.1;       // an agent that moved less could not walk back [m]

@@ -11,6 +11,9 @@ namespace crowd {
 /// @brief Remaining path of an agent: the corners after its position, the last one is the goal [m], `map`.
 using RemainingPath = std::vector<Vector2>;
 
+/// @brief Cosine of the angle from which the directions of two ways are opposite.
+constexpr double OPPOSITE = -0.3;
+
 /// @brief Length of a remaining path from a place [m].
 inline double lengthOf(Span<Vector2> path, Vector2 from) {
   double length = 0.0;

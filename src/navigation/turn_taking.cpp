@@ -6,12 +6,11 @@
 namespace crowd {
 namespace {
 
-constexpr double OPPOSITE = -0.3;  // cosine of the angle from which directions are opposite
-constexpr double SAME = 0.3;       // cosine of the angle up to which they are the same
+constexpr double SAME = 0.3;   // cosine of the angle up to which they are the same
 constexpr double REACH = 0.1;  // claims farther apart than the floor is wide, and this, are not in each other's way [m]
 constexpr double WALKING_SHARE = 0.1;   // of the maximum speed, above which an agent gets on
-constexpr double ASIDE_GAP = 0.15;      // an agent that waits steps aside if somebody passes nearer than this [m],
-constexpr double ASIDE_LEAVE = 0.3;     // and until nobody passes nearer than this [m]
+constexpr double ASIDE_GAP = 0.15;      // an agent that waits steps aside if another one passes nearer than this [m],
+constexpr double ASIDE_LEAVE = 0.3;     // and until none passes nearer than this [m]
 constexpr double ASIDE_DISTANCE = 1.0;  // of the point that it walks to [m]
 constexpr double TURNED_BACK = -0.7;    // cosine from which the direction aside leads back towards who passes
 

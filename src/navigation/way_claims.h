@@ -34,7 +34,7 @@ struct Claimant {
 };
 
 /// @brief The ways that agents are about to take: places at intervals of STEP on the next LOOKAHEAD of them, or to the
-/// end of a narrow part that begins there. Only of agents for whom there is such a part.
+/// end of a narrow part that begins there. Agents whose way has no narrow part have no claims.
 ///
 /// Call contract: update() once per tick; the results are valid until the next call. Not thread-safe.
 class WayClaims {

@@ -112,7 +112,7 @@ void WayFinder::reconsider(const Agent& agent, Way& way, const World& world) {
     way.search_interval = WAY_TIME;
     return;
   }
-  const double max_time = timeOf(agent, corners) - LEAST_GAIN;
+  const double max_time = timeOf(agent, lengthOf(corners, place), delay.total) - LEAST_GAIN;
   NavigationMesh::Query& query = way.floor == Floor::COMFORTABLE ? *comfortable_ : *tight_;
   if (corners.size() > 1 && !way.lane && passOutside(agent, max_time, way, query)) return;
   std::optional<Path> other =
@@ -129,8 +129,12 @@ void WayFinder::reconsider(const Agent& agent, Way& way, const World& world) {
 /// The time that a way takes [s].
 double WayFinder::timeOf(const Agent& agent, Span<Vector2> corners) const {
   const Vector2& place = agent.pose.position;
-  const double delay = congestion_.delayOn(place, corners, agent.max_speed).total;
-  return lengthOf(corners, place) / agent.max_speed + DELAY_SHARE * delay;
+  return timeOf(agent, lengthOf(corners, place), congestion_.delayOn(place, corners, agent.max_speed).total);
+}
+
+/// The same of a way of this length [m], with this delay [s].
+double WayFinder::timeOf(const Agent& agent, double length, double delay) {
+  return length / agent.max_speed + DELAY_SHARE * delay;
 }
 
 /// Lets an agent pass the next corner where that takes the least time, and at most this time [s]. Returns false if

@@ -76,6 +76,7 @@ class WayFinder {
   void lead(Agent& agent, Way& way, const World& world);
   void reconsider(const Agent& agent, Way& way, const World& world);
   double timeOf(const Agent& agent, Span<Vector2> corners) const;
+  static double timeOf(const Agent& agent, double length, double delay);
   bool passOutside(const Agent& agent, double max_time, Way& way, NavigationMesh::Query& query) const;
   Vector2 nextPoint(const Agent& agent, Way& way, const StopRequest& stop);
   bool areConnected(const Vector2& from, const Vector2& to);
