@@ -11,6 +11,11 @@ namespace {
 constexpr std::chrono::seconds WATCH_PERIOD(1);
 constexpr bool PRINTS_FAILURE = false;
 
+/// A lookup at the master can fail once although the node is there, so a failure is confirmed by a second one.
+bool isReachable(const std::string& service) {
+  return ros::service::exists(service, PRINTS_FAILURE) || ros::service::exists(service, PRINTS_FAILURE);
+}
+
 }  // namespace
 
 NodeWatch::NodeWatch(std::function<void(const std::string& service, bool reachable)> report)
@@ -41,7 +46,7 @@ void NodeWatch::run() {
     has_new_ = false;
     const std::vector<std::string> services = services_;
     lock.unlock();
-    for (const std::string& service : services) report_(service, ros::service::exists(service, PRINTS_FAILURE));
+    for (const std::string& service : services) report_(service, isReachable(service));
     lock.lock();
     changed_.wait_for(lock, WATCH_PERIOD, [&] { return closing_ || has_new_; });
   }

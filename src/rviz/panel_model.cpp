@@ -71,7 +71,6 @@ void PanelModel::noteReachable(const std::string& node, bool reachable) {
   if (!reachable) {
     reachable_.erase(node);
     dropRequests(node);
-    if (node == controller_) has_status_ = false;
     return;
   }
   reachable_.insert(node);

@@ -108,7 +108,7 @@ class PanelModel {
   std::string controller_;
   std::string markers_;
   social_crowd::ControllerStatus status_;
-  bool has_status_ = false;                                      // since the controller is reachable
+  bool has_status_ = false;  // a paused controller publishes its status once, so it is kept while the node is away
   std::map<std::string, social_crowd::LearnerStatus> learners_;  // by node
   std::string learner_;                                          // entry that the user chose
   std::int64_t chosen_agent_ = -1;

@@ -1,7 +1,8 @@
 // RViz as a test sees it: the program `rviz`, and answers about its widgets on the standard input and output, so that
 // the test can click where a widget is. A request is a line "place NAME", "size NAME", "text NAME" or "enabled NAME",
 // or "view PROPERTY" of the present view, whose answer is its value, or "frames", the number
-// of frames drawn so far; the answer is a line.
+// of frames drawn so far, or "pressed NAME", whether the mouse was pressed on the widget since its place was asked for;
+// the answer is a line.
 
 #include <rviz/properties/property.h>
 #include <rviz/view_controller.h>
@@ -14,9 +15,11 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
+#include <QSet>
 #include <QSocketNotifier>
 #include <QWidget>
 #include <iostream>
@@ -29,6 +32,37 @@ bool isCalled(const QWidget* widget, const QString& name) {
   const auto* const button = qobject_cast<const QAbstractButton*>(widget);
   return widget->objectName() == name || widget->metaObject()->className() == name ||
          (button != nullptr && button->text() == name);
+}
+
+/// Notes the names of the enabled widgets on which the mouse is pressed, and of those around them.
+class PressWatch : public QObject {
+ public:
+  bool eventFilter(QObject* object, QEvent* event) override {
+    const auto* widget = event->type() == QEvent::MouseButtonPress ? qobject_cast<const QWidget*>(object) : nullptr;
+    if (widget == nullptr || !widget->isEnabled()) return false;
+    for (; widget != nullptr; widget = widget->parentWidget()) {
+      names_ << widget->objectName() << widget->metaObject()->className();
+      if (const auto* const button = qobject_cast<const QAbstractButton*>(widget)) names_ << button->text();
+    }
+    return false;
+  }
+  bool has(const QString& name) const { return names_.contains(name); }
+  void clear() { names_.clear(); }
+
+ private:
+  QSet<QString> names_;
+};
+
+PressWatch& presses() {
+  static PressWatch watch;
+  return watch;
+}
+
+/// Whether the mouse was pressed on a widget of this name. Handles what the X server has sent so far.
+bool wasPressed(const QString& name) {
+  QGuiApplication::sync();
+  QCoreApplication::processEvents(QEventLoop::ExcludeSocketNotifiers);
+  return presses().has(name);
 }
 
 QWidget* findWidget(const QString& name, int index) {
@@ -74,12 +108,14 @@ std::string answer(const std::string& verb, const std::string& name) {
   if (verb == "view") return ofView(name);
   if (verb == "frames") return std::to_string(manager()->getFrameCount());
   const QStringList parts = QString::fromStdString(name).split('#');
+  if (verb == "pressed") return wasPressed(parts[0]) ? "yes" : "no";
   QWidget* const widget = findWidget(parts[0], parts.size() > 1 ? parts[1].toInt() : 0);
   if (widget == nullptr) return "no such widget";
   if (verb == "enabled") return widget->isEnabled() ? "yes" : "no";
   if (verb == "text") return textOf(widget).replace('\n', ' ').toStdString();
   if (verb == "size") return std::to_string(widget->width()) + " " + std::to_string(widget->height());
   scrollTo(widget);
+  presses().clear();
   const QPoint middle = widget->mapToGlobal(widget->rect().center());
   return std::to_string(middle.x()) + " " + std::to_string(middle.y());
 }
@@ -108,6 +144,7 @@ int main(int argc, char** argv) {
   rviz::VisualizerApp visualizer;
   visualizer.setApp(&app);
   if (!visualizer.init(argc, argv)) return 1;
+  QApplication::instance()->installEventFilter(&presses());
   QSocketNotifier requests(0, QSocketNotifier::Read);
   QObject::connect(&requests, &QSocketNotifier::activated, [] { serve(); });
   return QApplication::exec();

@@ -9,6 +9,8 @@ from roslib.packages import find_node
 from support import PATIENCE, in_package, wait_for
 from screen import Screen, end  # noqa: F401
 
+PRESS_PATIENCE = 5.0  # [s] until a click counts as missed
+
 
 class DrivenRviz:
     """RViz with the panel, by the program rviz_driver, which tells where widgets are."""
@@ -71,18 +73,35 @@ class DrivenRviz:
 
     def wait_text(self, widget, fits, what):
         """Waits until a widget shows a text that meets the condition. Returns the text."""
-        return wait_for(lambda: (lambda text: text is not None and fits(text) and (text or ' '))(self.text(widget)),
-                        f'{widget} to show {what}')
+        try:
+            return wait_for(lambda: (lambda text: text is not None and fits(text) and (text or ' '))(self.text(widget)),
+                            f'{widget} to show {what}')
+        except AssertionError as error:
+            shown = ', '.join(f'{name} {self.text(name)!r}' for name in (widget, 'state', 'message'))
+            raise AssertionError(f'{error}; shown: {shown}') from error
 
     def click(self, widget):
-        """Clicks on a widget, when it is enabled."""
-        self.wait_enabled(widget)
-        self.screen.use('mousemove', *self.place(widget), 'click', 1)
+        """Clicks on a widget, when it is enabled. Clicks again if it missed, because the widget moved meanwhile."""
+
+        def hits():
+            self.wait_enabled(widget)
+            self.screen.use('mousemove', *self.place(widget), 'click', 1)
+            return self.is_pressed(widget)
+
+        wait_for(hits, f'a click on {widget}')
+
+    def is_pressed(self, widget):
+        """Waits for a press of the mouse on a widget. Returns whether it came."""
+        deadline = time.monotonic() + PRESS_PATIENCE
+        while self.ask('pressed', widget) != 'yes':
+            if time.monotonic() > deadline:
+                return False
+            time.sleep(0.02)
+        return True
 
     def enter(self, widget, text):
         """Replaces the text of a field, when it is enabled."""
-        self.wait_enabled(widget)
-        self.screen.use('mousemove', *self.place(widget), 'click', 1)
+        self.click(widget)
         self.screen.use('key', 'ctrl+a')
         self.screen.use('type', '--delay', 1, text)
         self.screen.use('key', 'Return')
