@@ -42,10 +42,12 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       services_(private_node, LEARNER_SERVICE_THREADS) {
   learner_.setDecisions(parameters.table.decisions);
   for (const std::string& warning : parameters.warnings) ROS_WARN("%s", warning.c_str());
-  // roscpp keeps one latched message for each topic of a process, and nodelets share the topic. So each learner also
+  // roscpp keeps one latched message for each topic of a process, and nodelets share the topic. So each of them also
   // sends its own status to new subscribers of other processes, and in its own process when it is needed, see
-  // isSufficient().
-  const auto send_status = [this](const ros::SingleSubscriberPublisher& subscriber) { subscriber.publish(status()); };
+  // isSufficient(). Other learners do not, because it may overtake a status that was published before.
+  const auto send_status = [this](const ros::SingleSubscriberPublisher& subscriber) {
+    if (isNodelet()) subscriber.publish(status());
+  };
   status_publisher_ =
       node_.advertise<social_crowd::LearnerStatus>(names::LEARNER_STATUS, QUEUE, send_status, {}, {}, LATCHED);
   status_subscriber_ = node_.subscribe(names::LEARNER_STATUS, QUEUE, &LearnerNode::noteStatus, this);
@@ -72,8 +74,7 @@ void LearnerNode::run() {
 void LearnerNode::askForPerceptions() {
   // The controller advertises the topic when it has received the status. If it is in the same process as nodelets, it
   // may have received only that of another one.
-  const bool is_nodelet = name_ != ros::this_node::getName();
-  if (!is_nodelet || learner_.servesAll() || perceptions_subscriber_.getNumPublishers() > 0) return;
+  if (!isNodelet() || learner_.servesAll() || perceptions_subscriber_.getNumPublishers() > 0) return;
   if (ros::WallTime::now() - last_status_ >= STATUS_PERIOD) publishStatus();
 }
 

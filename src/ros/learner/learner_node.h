@@ -60,6 +60,8 @@ class LearnerNode {
   void takeSample();
   /// Publishes the status again while the topic with the perceptions of its agents has no publisher.
   void askForPerceptions();
+  /// Whether its process may contain other learners.
+  bool isNodelet() const { return name_ != ros::this_node::getName(); }
   void noteStatus(const social_crowd::LearnerStatus::ConstPtr& status);
   void publishStatus();
   social_crowd::LearnerStatus status() const;
