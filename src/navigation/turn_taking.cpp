@@ -28,8 +28,24 @@ bool isRightBehind(const Agent& agent, const Vector2& heading, const Agent& othe
 }  // namespace
 
 void TurnTaking::update(World& world, const AgentMap<RemainingPath>& paths) {
-  claims_.update(world, paths, *floor_);
   approaches_.follow(world.agents());
+  if (world.tick() >= decision_tick_) {
+    decide(world, paths);
+    const double ticks = std::max(1.0, std::round(DECISION_TIME / world.tickDuration()));
+    decision_tick_ = world.tick() + static_cast<std::uint64_t>(ticks);
+  }
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
+    const Approach& approach = approaches_.nth(i);
+    if (!approach.waits || !agent.isWalking() || agent.at_goal || agent.held) continue;
+    Agent& waiting = world.walkingAgent(agent.id);
+    waiting.yielding = approach.aside == Vector2::Zero();
+    if (!waiting.yielding) waiting.setWaypoint(agent.pose.position + ASIDE_DISTANCE * approach.aside);
+  }
+}
+
+void TurnTaking::decide(const World& world, const AgentMap<RemainingPath>& paths) {
+  claims_.update(world, paths, *floor_);
   auto claimant = claims_.claimants().begin();
   for (std::size_t i = 0; i < world.agents().size(); ++i) {
     const bool has_claims = claimant != claims_.claimants().end() && claimant->agent == world.agents().nth(i).id;
@@ -40,12 +56,9 @@ void TurnTaking::update(World& world, const AgentMap<RemainingPath>& paths) {
     }
   }
   for (const Claimant& own : claims_.claimants()) {
-    if (mustWait(world, own, trafficOf(world, own))) {
-      world.walkingAgent(own.agent).yielding = true;
-      if (!own.isInside()) stepAside(world, own);
-    } else {
-      approaches_[own.agent].aside = Vector2::Zero();
-    }
+    Approach& approach = approaches_[own.agent];
+    approach.waits = mustWait(world, own, trafficOf(world, own));
+    approach.aside = approach.waits && !own.isInside() ? sideOf(world, own) : Vector2::Zero();
   }
 }
 
@@ -129,10 +142,11 @@ bool TurnTaking::mustWait(const World& world, const Claimant& claimant, const Tr
   return approaches_[traffic.opposite->agent].begin < same_begin - TURN_TIME - claimant.length;
 }
 
-/// Lets an agent that waits clear the way of those who come towards it. It keeps the side that it chose.
-void TurnTaking::stepAside(World& world, const Claimant& claimant) {
-  Agent& agent = world.walkingAgent(claimant.agent);
-  Vector2& aside = approaches_[agent.id].aside;
+/// The direction in which an agent that waits clears the way of those who come towards it; zero if none comes. It keeps
+/// the side that it chose.
+Vector2 TurnTaking::sideOf(const World& world, const Claimant& claimant) {
+  const Agent& agent = world.agents()[claimant.agent];
+  const Vector2& aside = approaches_[agent.id].aside;
   const bool was_aside = aside != Vector2::Zero();
   const double reach = was_aside ? ASIDE_LEAVE : ASIDE_GAP;
   const Claim* nearest = nullptr;
@@ -146,17 +160,11 @@ void TurnTaking::stepAside(World& world, const Claimant& claimant) {
     least = gap;
     nearest = other;
   }
-  if (nearest == nullptr) {
-    aside = Vector2::Zero();
-    return;
-  }
-  if (!was_aside || aside.dot(nearest->direction) < TURNED_BACK) {
-    const Vector2 offset = agent.pose.position - nearest->place;
-    const Vector2 left(-nearest->direction.y(), nearest->direction.x());
-    aside = offset.dot(left) > 0.0 ? left : Vector2(-left);
-  }
-  agent.yielding = false;
-  agent.setWaypoint(agent.pose.position + ASIDE_DISTANCE * aside);
+  if (nearest == nullptr) return Vector2::Zero();
+  if (was_aside && aside.dot(nearest->direction) >= TURNED_BACK) return aside;
+  const Vector2 offset = agent.pose.position - nearest->place;
+  const Vector2 left(-nearest->direction.y(), nearest->direction.x());
+  return offset.dot(left) > 0.0 ? left : Vector2(-left);
 }
 
 }  // namespace crowd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -25,6 +26,7 @@ class TurnTaking {
   static constexpr double TURN_TIME = 6.0;         ///< the direction that is inside goes on for this time at least [s]
   static constexpr double PATIENCE = 8.0;          ///< agents wait for this time for those inside that stand [s]
   static constexpr double QUEUE_GAP = 0.2;         ///< in front of narrow parts [m]
+  static constexpr double DECISION_TIME = 0.3;     ///< between two decisions whether to wait [s]
 
   explicit TurnTaking(std::shared_ptr<const FloorRuler> floor) : floor_(std::move(floor)) {}
 
@@ -37,7 +39,8 @@ class TurnTaking {
     double begin = NEVER;          // time at which it came into sight [s]
     double blocked_since = NEVER;  // time since which agents of the opposite direction are inside and stand [s]
     bool was_inside = false;
-    Vector2 aside = Vector2::Zero();  // direction in which the agent steps aside; zero if it does not
+    bool waits = false;
+    Vector2 aside = Vector2::Zero();  // direction in which it steps aside while it waits; zero if it does not
   };
   /// Who else is about to pass the first narrow part on an agent's way.
   struct Traffic {
@@ -50,17 +53,19 @@ class TurnTaking {
   };
   static constexpr double NEVER = -1.0;
 
+  void decide(const World& world, const AgentMap<RemainingPath>& paths);
   void noteApproach(const Claimant& claimant, double time, Approach& approach) const;
   Traffic trafficOf(const World& world, const Claimant& claimant);
   void addTraffic(const World& world, const Claimant& claimant, const Claim& claim, Traffic& traffic);
   void replaceIfLonger(const Claimant*& longest, const Claimant& other) const;
   bool hasWaitedLonger(const Claimant& a, const Claimant& b) const;
   bool mustWait(const World& world, const Claimant& claimant, const Traffic& traffic);
-  void stepAside(World& world, const Claimant& claimant);
+  Vector2 sideOf(const World& world, const Claimant& claimant);
 
   std::shared_ptr<const FloorRuler> floor_;
   WayClaims claims_;
   AgentMap<Approach> approaches_;
+  std::uint64_t decision_tick_ = 0;  // of the next decision
 };
 
 }  // namespace crowd

@@ -17,7 +17,7 @@ constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
 constexpr double LANE_REACHED = 0.4;    // [m]
 constexpr double AIM_DISTANCE = 0.25;   // an agent aims at the same point until it has moved this far [m]
 constexpr double WAY_TIME = 2.0;        // after which an agent compares its way with others [s]
-constexpr double MAX_WAY_TIME = 16.0;   // the same, after several searches that found none [s]
+constexpr double FAILED_TIME = 12.0;    // the same, after a search that found none [s]
 constexpr unsigned WAY_GROUPS = 20;     // of agents that do so at different times
 constexpr double LEAST_DELAY = 4.0;     // for which it does [s]
 constexpr double DELAY_SHARE = 0.8;     // of a delay that will be there when it arrives
@@ -83,7 +83,6 @@ void WayFinder::lead(Agent& agent, Way& way, const World& world) {
   if (!way.follower || way.follower->goal() != agent.goal()) {
     way = Way();
     way.follower.emplace(agent.goal());
-    way.search_interval = WAY_TIME;
     way.search_time = world.time() + WAY_TIME * (agent.id % WAY_GROUPS) / double{WAY_GROUPS};
   }
   const Vector2 next = nextPoint(agent, way, world.stopRequest());
@@ -108,10 +107,7 @@ void WayFinder::reconsider(const Agent& agent, Way& way, const World& world) {
   const Vector2& place = agent.pose.position;
   const Span<Vector2> corners = way.follower->corners();
   const CongestionMap::Delay delay = congestion_.delayOn(place, corners, agent.max_speed);
-  if (delay.total < LEAST_DELAY) {
-    way.search_interval = WAY_TIME;
-    return;
-  }
+  if (delay.total < LEAST_DELAY) return;
   const double max_time = timeOf(agent, lengthOf(corners, place), delay.total) - LEAST_GAIN;
   NavigationMesh::Query& query = way.floor == Floor::COMFORTABLE ? *comfortable_ : *tight_;
   if (corners.size() > 1 && !way.lane && passOutside(agent, max_time, way, query)) return;
@@ -119,10 +115,8 @@ void WayFinder::reconsider(const Agent& agent, Way& way, const World& world) {
       query.findWayAround({delay.place, CROWD_RADIUS}, place, agent.goal(), max_time * agent.max_speed);
   if (other && timeOf(agent, {other->corners.data(), other->corners.size()}) <= max_time) {
     way.follower->follow(std::move(*other));
-    way.search_interval = WAY_TIME;
   } else {
-    way.search_time = world.time() + way.search_interval;
-    way.search_interval = std::min(MAX_WAY_TIME, 2.0 * way.search_interval);
+    way.search_time = world.time() + FAILED_TIME;
   }
 }
 

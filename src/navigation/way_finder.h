@@ -67,8 +67,7 @@ class WayFinder {
     std::optional<Aim> aim;
     std::optional<PathFollower> follower;
     Floor floor = Floor::COMFORTABLE;
-    double search_time = 0.0;      // time from which it is compared with others [s]
-    double search_interval = 0.0;  // longer after each search that found none [s]
+    double search_time = 0.0;  // time from which it is compared with others [s]
     bool out_of_reach = false;
   };
 
