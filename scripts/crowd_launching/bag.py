@@ -1,12 +1,18 @@
 """Plays a bag, then ends the launch."""
 import os
 import sys
+import time
 
+import rosgraph
 import roslib.packages
 
 from .program import Program, end_launch
 
-STAY, NO_FILE = '--stay', 'none'  # the latter is the default of replay.launch
+STAY, WAIT = '--stay', '--wait'
+NO_FILE = 'none'  # the default of replay.launch
+SHOWN_TOPICS = ('scenario', 'agents')
+PATIENCE = 30.0  # [s] time for others to subscribe
+PERIOD = 0.1     # [s]
 FIRST_BYTES = b'#ROSBAG'
 
 
@@ -19,12 +25,23 @@ def problem_of(file):
         return '' if stream.read(len(FIRST_BYTES)) == FIRST_BYTES else '%s is not a bag' % path
 
 
+def wait_for_subscribers():
+    """Waits until nodes subscribe to SHOWN_TOPICS, but not longer than PATIENCE."""
+    master = rosgraph.Master('/play_bag')
+    topics = {rosgraph.names.script_resolve_name('/play_bag', topic) for topic in SHOWN_TOPICS}
+    deadline = time.monotonic() + PATIENCE
+    while time.monotonic() < deadline and not topics <= {topic for topic, _ in master.getSystemState()[1]}:
+        time.sleep(PERIOD)
+
+
 def main():
-    arguments = [word for word in sys.argv[1:] if word != STAY]
+    arguments = [word for word in sys.argv[1:] if word not in (STAY, WAIT)]
     files = [word for word in arguments if not word.startswith('-') and ':=' not in word]
     if files in ([], [NO_FILE]):
         print('play_bag: no recording is given; expected bag:=FILE or trajectories:=FILE', file=sys.stderr)
         return 2
+    if WAIT in sys.argv:
+        wait_for_subscribers()
     player = Program([roslib.packages.find_node('rosbag', 'play')[0], *arguments])
     status = player.wait()
     if player.is_stopped:

@@ -200,12 +200,13 @@ class ReplayTest(LaunchTestCase):
     """replay.launch."""
 
     def record(self):
-        """Returns a bag of an agent that walked 0.5 m, and of another agent beside it."""
+        """Returns a bag of an agent that walked 0.5 m, and of another agent beside it. Then both stand, so that the
+        last picture is drawn before the launch ends."""
         agents = [AgentState(agent=i, pose=Pose2D(0.0, i, 0.0), radius=0.25, goal=Point(3.0, i, 0.0)) for i in range(2)]
         with rosbag.Bag(self.path('walk.bag'), 'w') as bag:
             messages = [('scenario', Scenario(name='two', agents=agents))]
-            for tick in range(1, 11):
-                moved = [AgentState(agent=i, pose=Pose2D(0.05 * tick, i, 0.0), radius=0.25) for i in range(2)]
+            for tick in range(1, 101):
+                moved = [AgentState(agent=i, pose=Pose2D(0.05 * min(tick, 10), i, 0.0), radius=0.25) for i in range(2)]
                 messages.append(('agents', AgentStates(tick=tick, agents=moved)))
             for i, (topic, message) in enumerate(messages):
                 bag.write(f'{self.namespace}/{topic}', message, rospy.Time(1000.0 + 0.05 * i))

@@ -28,9 +28,10 @@ class LaunchTestCase(support.CrowdTestCase):
         self.assert_no_complaint(launched, 'WARN|ERROR|FATAL')
 
     def assert_no_complaint(self, launched, levels):
-        """Checks that nodes logged no messages of these levels, and that all ended properly."""
+        """Checks that nodes logged no messages of these levels, and that all ended properly. A master that is busy when
+        many nodes start refuses some of roscpp's requests, which roscpp reports and repeats."""
         complaints = re.findall(rf'.*\[ ?(?:{levels})\].*|.*(?:exit code|escalating|Traceback).*', launched.output())
-        self.assertEqual(complaints, [])
+        self.assertEqual([line for line in complaints if not line.endswith('Retrying...')], [])
 
     def assert_ends_with(self, launched, *words):
         """Checks that a launch ends without intervention and prints the cause, and that roslaunch reports an error."""
