@@ -26,7 +26,7 @@ class TurnTaking {
   static constexpr double TURN_TIME = 6.0;         ///< the direction that is inside goes on for this time at least [s]
   static constexpr double PATIENCE = 8.0;          ///< agents wait for this time for those inside that stand [s]
   static constexpr double QUEUE_GAP = 0.2;         ///< in front of narrow parts [m]
-  static constexpr double DECISION_TIME = 0.3;     ///< between two decisions whether to wait [s]
+  static constexpr double DECISION_TIME = 0.2;     ///< between two decisions whether to wait [s]
 
   explicit TurnTaking(std::shared_ptr<const FloorRuler> floor) : floor_(std::move(floor)) {}
 

@@ -17,7 +17,7 @@ constexpr double LANE_LOOKAHEAD = 3.0;  // [m]
 constexpr double LANE_REACHED = 0.4;    // [m]
 constexpr double AIM_DISTANCE = 0.25;   // an agent aims at the same point until it has moved this far [m]
 constexpr double WAY_TIME = 2.0;        // after which an agent compares its way with others [s]
-constexpr double FAILED_TIME = 12.0;    // the same, after a search that found none [s]
+constexpr double FAILED_TIME = 12.0;    // after which it searches again for a way round a crowd if there was none [s]
 constexpr unsigned WAY_GROUPS = 20;     // of agents that do so at different times
 constexpr double LEAST_DELAY = 4.0;     // for which it does [s]
 constexpr double DELAY_SHARE = 0.8;     // of a delay that will be there when it arrives
@@ -111,12 +111,13 @@ void WayFinder::reconsider(const Agent& agent, Way& way, const World& world) {
   const double max_time = timeOf(agent, lengthOf(corners, place), delay.total) - LEAST_GAIN;
   NavigationMesh::Query& query = way.floor == Floor::COMFORTABLE ? *comfortable_ : *tight_;
   if (corners.size() > 1 && !way.lane && passOutside(agent, max_time, way, query)) return;
+  if (world.time() < way.around_time) return;
   std::optional<Path> other =
       query.findWayAround({delay.place, CROWD_RADIUS}, place, agent.goal(), max_time * agent.max_speed);
   if (other && timeOf(agent, {other->corners.data(), other->corners.size()}) <= max_time) {
     way.follower->follow(std::move(*other));
   } else {
-    way.search_time = world.time() + FAILED_TIME;
+    way.around_time = world.time() + FAILED_TIME;
   }
 }
 

@@ -68,6 +68,7 @@ class WayFinder {
     std::optional<PathFollower> follower;
     Floor floor = Floor::COMFORTABLE;
     double search_time = 0.0;  // time from which it is compared with others [s]
+    double around_time = 0.0;  // time from which a way round a crowd is searched [s]
     bool out_of_reach = false;
   };
 
