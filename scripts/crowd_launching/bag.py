@@ -12,7 +12,7 @@ STAY, WAIT = '--stay', '--wait'
 NO_FILE = 'none'  # the default of replay.launch
 SHOWN_TOPICS = ('scenario', 'agents')
 PATIENCE = 30.0  # [s] time for others to subscribe
-PERIOD = 0.1     # [s]
+PERIOD = 0.1  # [s]
 FIRST_BYTES = b'#ROSBAG'
 
 
