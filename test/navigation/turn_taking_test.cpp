@@ -55,7 +55,7 @@ TEST(TurnTaking, OneDirectionGoesFirst) {
   EXPECT_TRUE(door.mayWalk(0));  // both have come into sight at the same time: the lower id
   EXPECT_FALSE(door.mayWalk(1));
   WorldEditor(door.world).removeAgent(0);
-  door.update();
+  while (door.world.time() < TurnTaking::DECISION_TIME) door.step();
   EXPECT_TRUE(door.mayWalk(1));
 }
 
