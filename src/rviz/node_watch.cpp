@@ -10,10 +10,13 @@ namespace {
 
 constexpr std::chrono::seconds WATCH_PERIOD(1);
 constexpr bool PRINTS_FAILURE = false;
+constexpr int ATTEMPTS = 2;  // a lookup at the master can fail once although the node is there
 
-/// A lookup at the master can fail once although the node is there, so a failure is confirmed by a second one.
 bool isReachable(const std::string& service) {
-  return ros::service::exists(service, PRINTS_FAILURE) || ros::service::exists(service, PRINTS_FAILURE);
+  for (int attempt = 0; attempt < ATTEMPTS; ++attempt) {
+    if (ros::service::exists(service, PRINTS_FAILURE)) return true;
+  }
+  return false;
 }
 
 }  // namespace
