@@ -6,7 +6,7 @@
 namespace crowd {
 namespace {
 
-constexpr double SAME = 0.3;   // cosine of the angle up to which they are the same
+constexpr double SAME = 0.3;   // cosine of the angle up to which the directions of two ways are the same
 constexpr double REACH = 0.1;  // claims farther apart than the floor is wide, and this, are not in each other's way [m]
 constexpr double WALKING_SHARE = 0.1;   // of the maximum speed, above which an agent gets on
 constexpr double ASIDE_GAP = 0.15;      // an agent that waits steps aside if another one passes nearer than this [m],

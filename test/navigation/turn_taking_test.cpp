@@ -88,7 +88,7 @@ TEST(TurnTaking, WhoWaitsStepsAsideForThoseWhoComeOut) {
   const Vector2 aside = door.agent(1).perceivedGoal() - door.agent(1).pose.position;
   EXPECT_NEAR(aside.x(), 0.0, 1e-9);
   EXPECT_GT(aside.y(), 0.5);            // to the side on which it is
-  EXPECT_TRUE(door.agent(2).yielding);  // nobody comes its way
+  EXPECT_TRUE(door.agent(2).yielding);  // no agent walks towards it
 }
 
 TEST(TurnTaking, AgentsBehindOthersKeepAGap) {

@@ -136,7 +136,7 @@ TEST(WayFinder, LeadsRoundACrowd) {
   EXPECT_EQ(led.agent(0).perceivedGoal(), Vector2(7.0, 0.0));
   stand(led, 20.0);
   EXPECT_GT(led.agent(0).perceivedGoal().y(), 3.0);
-  EXPECT_EQ(led.agent(1).perceivedGoal(), Vector2(7.0, 0.0));  // there is nobody before it
+  EXPECT_EQ(led.agent(1).perceivedGoal(), Vector2(7.0, 0.0));  // no agent is ahead of it
 }
 
 TEST(WayFinder, ANewGoalHasANewWay) {
