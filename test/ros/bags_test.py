@@ -6,25 +6,24 @@ from broadcasting import TOPICS, BroadcastTestCase
 from recording import RecordingTestCase
 from roslib.packages import find_node
 
+PUBLISHERS = {topic: 'learner' if topic in ('actions', 'learner_status') else 'crowd_controller' for topic in TOPICS}
+
 
 class BagTest(BroadcastTestCase, RecordingTestCase):
     """An episode in a rosbag."""
 
     def record(self):
         """Starts rosbag record and waits until it has subscribed to all topics."""
-        topics = [f'{self.namespace}/{name}' for name in TOPICS]
         command = find_node('rosbag', 'record')[:1] + ['--output-name', self.path('crowd.bag'), '__name:=recorder']
-        recorder = self.start('recorder', command + topics)
-        wanted = {(node, f'{self.namespace}/{topic}') for node, topic in (
-            ('crowd_controller', 'agents'), ('crowd_controller', 'perceptions'), ('crowd_controller', 'scenario'),
-            ('crowd_controller', 'episode_results'), ('learner', 'actions'), ('learner', 'learner_status'))}
-        support.wait_for(lambda: all(self.is_heard(*pair) for pair in wanted), 'rosbag to listen to all topics')
+        recorder = self.start('recorder', command + [f'{self.namespace}/{topic}' for topic in TOPICS])
+        support.wait_for(lambda: all(self.is_heard(node, f'{self.namespace}/{topic}')
+                                     for topic, node in PUBLISHERS.items()), 'rosbag to listen to all topics')
         return recorder
 
-    def received(self):
-        """Returns the number of messages by topic that the recorder has received."""
-        _, subscribed = self.node('recorder').getBusStats('/social_crowd_test')  # roscpp has no status before
-        return {topic.split('/')[-1]: sum(link[2] for link in links) for topic, links in subscribed}
+    def has_all(self, topic):
+        """Returns whether the recorder has received all messages on a topic that were sent to it."""
+        name = f'{self.namespace}/{topic}'
+        return 0 < self.sent(PUBLISHERS[topic], name) <= self.received(name)
 
     def recorded(self):
         """Returns the messages of episode 0 in the bag, by topic and tick."""
@@ -40,9 +39,7 @@ class BagTest(BroadcastTestCase, RecordingTestCase):
         recorder = self.record()
         self.walk_an_episode()
         self.step(5)  # of the next episode, so that all messages of this one are received
-        heard = {name: len([m for m in ear.messages if not is_start_of(name, m)]) for name, ear in self.ears.items()}
-        support.wait_for(lambda: all(self.received().get(name, 0) >= heard[name] for name in TOPICS),
-                         'the messages to reach the recorder')
+        support.wait_for(lambda: all(map(self.has_all, TOPICS)), 'the messages to reach the recorder')
         self.assertEqual(recorder.stop(), 0)
         recorded = self.recorded()
         for name, ear in self.ears.items():
