@@ -48,16 +48,22 @@ class Finder {
   NavigationMesh::Query tight_;
 };
 
-NavigationData prepare(const FloorPlan& floor) {
-  return {NavigationMesh(floor, RADIUS + COMFORTABLE_MARGIN), NavigationMesh(floor, RADIUS + TIGHT_MARGIN),
-          FloorRuler(floor, WayClaims::wideClearance(RADIUS))};
-}
+/// What way-finding prepares for agents of one size.
+struct Prepared {
+  explicit Prepared(const FloorPlan& floor)
+      : meshes{NavigationMesh(floor, RADIUS + COMFORTABLE_MARGIN), NavigationMesh(floor, RADIUS + TIGHT_MARGIN)},
+        ruler(floor, WayClaims::wideClearance(RADIUS)) {}
+  std::size_t bytes() const { return meshes.comfortable.bytes() + meshes.tight.bytes() + ruler.bytes(); }
+
+  NavigationData meshes;
+  FloorRuler ruler;
+};
 
 void findWays(benchmark::State& state) {
   const OccupancyMap map = benchmarkMap();
-  const NavigationData data = prepare(floorOf(map));
+  const Prepared prepared(floorOf(map));
   const Scene scene = makeMapCrowd(map, PAIRS);
-  Finder finder(data);
+  Finder finder(prepared.meshes);
   for (auto _ : state) {
     const double time = timeOf(Clock::OF_THREAD, [&] {
       for (const AgentStart& agent : scene.agents) {
@@ -71,20 +77,19 @@ void findWays(benchmark::State& state) {
 void prepareMap(benchmark::State& state) {
   const FloorPlan floor = floorOf(benchmarkMap());
   for (auto _ : state) {
-    state.SetIterationTime(timeOf(Clock::OF_THREAD, [&] { benchmark::DoNotOptimize(prepare(floor)); }));
+    state.SetIterationTime(timeOf(Clock::OF_THREAD, [&] { benchmark::DoNotOptimize(Prepared(floor)); }));
   }
 }
 
 void rememberMap(benchmark::State& state) {
   const OccupancyMap map = benchmarkMap();
   const Scene scene = makeMapCrowd(map, PAIRS);
-  const NavigationData data = prepare(floorOf(map));
-  Finder finder(data);
+  const Prepared prepared(floorOf(map));
+  Finder finder(prepared.meshes);
   for (auto _ : state) {
     for (const AgentStart& agent : scene.agents) finder.find(agent);
   }
-  const std::size_t bytes = data.comfortable.bytes() + data.tight.bytes() + data.ruler.bytes() + finder.bytes();
-  state.counters["megabytes"] = static_cast<double>(bytes) / 1e6;
+  state.counters["megabytes"] = static_cast<double>(prepared.bytes() + finder.bytes()) / 1e6;
 }
 
 std::size_t repeat(CrowdWalk& crowd, int ticks) {

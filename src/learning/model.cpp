@@ -30,6 +30,7 @@ Vision Model::vision() const {
   vision.radius = state_set->visionRadius() + MARGIN;
   vision.occlusion = occlusion;
   vision.max_neighbours = state_set->maxNeighbours();
+  if (!occlusion) vision.wall_distance = state_set->wallDistance();  // walls farther away hide others, too
   return vision;
 }
 

@@ -19,7 +19,7 @@ inline crowd::Pose fromPublic(const Pose& pose) { return {fromPublic(pose.positi
 inline Wall toPublic(const Segment& wall) { return {toPublic(wall.from), toPublic(wall.to)}; }
 inline Segment fromPublic(const Wall& wall) { return {fromPublic(wall.from), fromPublic(wall.to)}; }
 inline crowd::Vision fromPublic(const Vision& vision) {
-  return {vision.radius, vision.max_neighbours, vision.occlusion};
+  return {vision.radius, vision.max_neighbours, vision.occlusion, vision.wall_distance};
 }
 
 EpisodeResult toPublic(const crowd::EpisodeResult& result);

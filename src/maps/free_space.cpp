@@ -1,11 +1,12 @@
 #include "maps/free_space.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace crowd {
 
 FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius)
-    : clearance_(floor, 0.5 * map.resolution, radius + ROOM + map.resolution), components_(clearance_.size(), NONE) {
+    : clearance_(floor, 0.5 * map.resolution, radius + ROOM + map.resolution) {
   using Index = ClearanceGrid::Index;
   const CellFrame frame(map);
   std::vector<bool> fits(clearance_.size(), false);
@@ -13,22 +14,9 @@ FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double rad
     fits[point] = clearance_[point] >= radius + ROOM && map.isFree(frame.cellAt(clearance_.place(point)));
     if (fits[point]) points_.push_back(point);
   }
-  std::vector<std::size_t> sizes;  // by component
-  std::vector<Index> found;
-  for (const Index seed : points_) {
-    if (components_[seed] != NONE) continue;
-    found.assign(1, seed);
-    const auto count = static_cast<std::uint32_t>(sizes.size());
-    components_[seed] = count;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      clearance_.forNeighbours(found[i], [&](Index at) {
-        if (!fits[at] || components_[at] != NONE) return;
-        components_[at] = count;
-        found.push_back(at);
-      });
-    }
-    sizes.push_back(found.size());
-  }
+  GridComponents components(clearance_, fits);
+  const std::vector<std::size_t>& sizes = components.sizes;
+  components_ = std::move(components.numbers);
   const std::size_t largest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
   const auto is_pocket = [&](Index point) {
     const auto size = static_cast<double>(sizes[components_[point]]);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/random.h"
-#include "maps/clearance_grid.h"
+#include "maps/grid_components.h"
 #include "maps/occupancy_map.h"
 
 namespace crowd {
@@ -13,7 +13,7 @@ namespace crowd {
 class FreeSpace {
  public:
   /// @brief Component of places where the agent does not fit.
-  static constexpr std::uint32_t NONE = 0xFFFFFFFF;
+  static constexpr std::uint32_t NONE = GridComponents::NONE;
 
   /// @brief Free room around the body of an agent [m]: ways through narrower gaps may not be found.
   static constexpr double ROOM = 0.1;

@@ -9,13 +9,7 @@
 namespace crowd {
 namespace {
 
-constexpr std::size_t MAX_KEPT = 8;
-
-struct Entry {
-  FloorPlan floor;
-  double radius;
-  std::shared_ptr<const NavigationData> data;
-};
+constexpr std::size_t MAX_KEPT = 16;
 
 bool isSame(const FloorPlan& a, const FloorPlan& b) {
   const auto same_wall = [](const Segment& p, const Segment& q) { return p.from == q.from && p.to == q.to; };
@@ -28,26 +22,50 @@ bool isSame(const FloorPlan& a, const FloorPlan& b) {
          std::equal(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(), b.obstacles.end(), same_disc);
 }
 
+/// What was made of the last floors.
+template <typename Data>
+class FloorCache {
+ public:
+  template <typename Make>
+  std::shared_ptr<const Data> get(const FloorPlan& floor, double radius, const Make& make) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Entry& entry) {
+      return entry.radius == radius && isSame(entry.floor, floor);
+    });
+    if (found != kept_.end()) {
+      kept_.splice(kept_.begin(), kept_, found);
+    } else {
+      kept_.push_front({floor, radius, std::make_shared<const Data>(make())});
+      if (kept_.size() > MAX_KEPT) kept_.pop_back();
+    }
+    return kept_.front().data;
+  }
+
+ private:
+  struct Entry {
+    FloorPlan floor;
+    double radius;
+    std::shared_ptr<const Data> data;
+  };
+
+  std::mutex mutex_;
+  std::list<Entry> kept_;  // the last used one in front
+};
+
 }  // namespace
 
 std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, const StopRequest& stop) {
-  static std::mutex mutex;
-  static std::list<Entry> kept;  // the last used one in front
-  const std::lock_guard<std::mutex> lock(mutex);
-  const auto found = std::find_if(kept.begin(), kept.end(), [&](const Entry& entry) {
-    return entry.radius == radius && isSame(entry.floor, floor);
+  static FloorCache<NavigationData> cache;
+  return cache.get(floor, radius, [&] {
+    return NavigationData{
+        NavigationMesh(floor, radius + COMFORTABLE_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop),
+        NavigationMesh(floor, radius + TIGHT_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop)};
   });
-  if (found != kept.end()) {
-    kept.splice(kept.begin(), kept, found);
-    return found->data;
-  }
-  auto data = std::make_shared<const NavigationData>(
-      NavigationData{NavigationMesh(floor, radius + COMFORTABLE_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop),
-                     NavigationMesh(floor, radius + TIGHT_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop),
-                     FloorRuler(floor, WayClaims::wideClearance(radius), stop)});
-  kept.push_front({floor, radius, data});
-  if (kept.size() > MAX_KEPT) kept.pop_back();
-  return data;
+}
+
+std::shared_ptr<const FloorRuler> floorRuler(const FloorPlan& floor, double radius, const StopRequest& stop) {
+  static FloorCache<FloorRuler> cache;
+  return cache.get(floor, radius, [&] { return FloorRuler(floor, WayClaims::wideClearance(radius), stop); });
 }
 
 }  // namespace crowd

@@ -7,11 +7,10 @@
 
 namespace crowd {
 
-/// @brief What way-finding needs of a floor for agents up to one radius.
+/// @brief The meshes of a floor for agents of one size.
 struct NavigationData {
   NavigationMesh comfortable;  ///< keeps a margin from walls
   NavigationMesh tight;        ///< for passages that are too narrow for that
-  FloorRuler ruler;            ///< finds narrow places
 };
 
 /// @brief Margin between agents and walls on their way where there is room [m].
@@ -19,11 +18,15 @@ constexpr double COMFORTABLE_MARGIN = 0.1;
 /// @brief The same in narrow passages [m].
 constexpr double TIGHT_MARGIN = 0.02;
 
-/// @brief The navigation data of a floor. The last few floors are kept, since episodes of one scenario share their
-/// floor and gates alternate between two. Thread-safe.
+/// @brief The meshes of a floor. The last few are kept, since episodes of one scenario share their floor and gates
+/// alternate between two. Thread-safe.
 /// @param radius of the agents [m]
 /// @throws InputError and Stopped as NavigationMesh
 std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius,
                                                      const StopRequest& stop = {});
+
+/// @brief The ruler of a floor for agents up to a radius, which finds narrow places. Kept as meshes are. Thread-safe.
+/// @throws Stopped if `stop` is made
+std::shared_ptr<const FloorRuler> floorRuler(const FloorPlan& floor, double radius, const StopRequest& stop = {});
 
 }  // namespace crowd

@@ -111,10 +111,4 @@ bool openGates(const std::vector<Segment>& gates, FloorPlan& floor) {
   return has_closed;
 }
 
-void requireNavigableFloor(const World& world, const WorldChange& change, double least_radius) {
-  const double radius = std::max(least_radius, largestRadius(world, change));
-  const FloorPlan floor = walkingFloor(world, radius, change);
-  if (radius > 0.0 && hasBarriers(floor)) navigationData(floor, radius, world.stopRequest());
-}
-
 }  // namespace crowd

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "maps/floor_plan.h"
-#include "navigation/mesh_cache.h"
 #include "scenario/scene.h"
 #include "world/world_editor.h"
 
@@ -19,7 +17,7 @@ double largestSourceRadius(const Scene& scene);
 
 /// @brief The floor that ways are found on: walls, obstacles at rest, and bounds around them, all agents so far and
 /// their goals. Small obstacles that stand alone are left to the learners, which walk round them with shorter paths.
-/// @param radius of the largest agent [m] @param change the floor is that after it
+/// @param radius of the agents [m] @param change the floor is that after it
 /// @throws Stopped if the world's stop request is made
 FloorPlan walkingFloor(const World& world, double radius, const WorldChange& change = {});
 
@@ -37,9 +35,5 @@ std::vector<Segment> gateWalls(const Scene& scene);
 
 /// @brief Removes the walls of closed gates. @return whether there were any
 bool openGates(const std::vector<Segment>& gates, FloorPlan& floor);
-
-/// @brief Does nothing if ways can be found in a world after a change.
-/// @param least_radius of the largest agent that may appear [m] @throws InputError if its floor is too large
-void requireNavigableFloor(const World& world, const WorldChange& change, double least_radius);
 
 }  // namespace crowd

@@ -41,8 +41,9 @@ void WayFinder::update(World& world) {
     const Agent& agent = world.agents().nth(i);
     if (!agent.isWalking()) continue;
     world.stopRequest().throwIfMade();
-    reconsider(agent, ways_.nth(i), world);
-    lead(world.walkingAgent(agent.id), ways_.nth(i), world);
+    SizedFloor& floor = floorOf(agent, world);
+    reconsider(agent, ways_.nth(i), floor, world);
+    lead(world.walkingAgent(agent.id), ways_.nth(i), floor, world);
     const Span<Vector2> corners = ways_.nth(i).follower->corners();
     paths_.nth(i).assign(corners.begin(), corners.end());
   }
@@ -53,20 +54,23 @@ void WayFinder::update(World& world) {
 
 void WayFinder::adoptLayout(World& world) {
   layout_changes_ = world.layoutChanges();
-  radius_ = std::max(least_radius_, largestRadius(world));
-  FloorPlan floor = walkingFloor(world, radius_);
+  radius_ = SizedFloor::sizeOf(std::max(least_radius_, largestRadius(world)));
+  const FloorPlan floor = walkingFloor(world, radius_);
   const bool was_needed = std::exchange(is_needed_, radius_ > 0.0 && hasBarriers(floor));
   ways_.clear();
+  floors_.clear();
   if (was_needed && !is_needed_) release(world);
   if (!is_needed_) return;
   bounds_ = *floor.bounds;
-  data_ = navigationData(floor, radius_, world.stopRequest());
-  comfortable_.emplace(data_->comfortable);
-  tight_.emplace(data_->tight);
-  turns_.emplace(std::shared_ptr<const FloorRuler>(data_, &data_->ruler));
-  open_.reset();
-  open_floor_.reset();
-  if (openGates(gates_, floor)) open_floor_ = std::move(floor);
+  ruler_ = floorRuler(floor, radius_, world.stopRequest());
+  turns_.emplace(ruler_);
+}
+
+SizedFloor& WayFinder::floorOf(const Agent& agent, const World& world) {
+  const double size = SizedFloor::sizeOf(agent.radius);
+  const auto found = floors_.find(size);
+  if (found != floors_.end()) return found->second;
+  return floors_.emplace(size, SizedFloor(world, size, bounds_, gates_)).first->second;
 }
 
 void WayFinder::release(World& world) {
@@ -78,17 +82,17 @@ void WayFinder::release(World& world) {
   }
 }
 
-void WayFinder::lead(Agent& agent, Way& way, const World& world) {
+void WayFinder::lead(Agent& agent, Way& way, SizedFloor& floor, const World& world) {
   agent.yielding = false;
   if (!way.follower || way.follower->goal() != agent.goal()) {
     way = Way();
     way.follower.emplace(agent.goal());
     way.search_time = world.time() + WAY_TIME * (agent.id % WAY_GROUPS) / double{WAY_GROUPS};
   }
-  const Vector2 next = nextPoint(agent, way, world.stopRequest());
+  const Vector2 next = nextPoint(agent, way, floor, world.stopRequest());
   const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
   // An agent in a wall or an obstacle, as in a ghost world, is not led, but may walk out of it.
-  way.out_of_reach = !is_led && tight_->component(agent.pose.position).has_value();
+  way.out_of_reach = !is_led && floor.tight().component(agent.pose.position).has_value();
   const bool sees_goal = way.out_of_reach && world.walls().index().isClear(agent.pose.position, agent.goal(), 0.0);
   if (way.out_of_reach && !sees_goal) agent.yielding = true;
   if (!is_led || next == agent.goal()) {
@@ -100,7 +104,7 @@ void WayFinder::lead(Agent& agent, Way& way, const World& world) {
 
 /// An agent that will be held up by a crowd on its way takes another one, or passes the next corner farther outside, if
 /// that saves time. Agents do so at different times, so that they do not all choose the same one.
-void WayFinder::reconsider(const Agent& agent, Way& way, const World& world) {
+void WayFinder::reconsider(const Agent& agent, Way& way, SizedFloor& floor, const World& world) {
   const bool is_led = way.follower && way.follower->goal() == agent.goal() && way.floor != Floor::OPEN;
   if (!is_led || agent.at_goal || agent.held || world.time() < way.search_time) return;
   way.search_time = world.time() + WAY_TIME;
@@ -109,7 +113,7 @@ void WayFinder::reconsider(const Agent& agent, Way& way, const World& world) {
   const CongestionMap::Delay delay = congestion_.delayOn(place, corners, agent.max_speed);
   if (delay.total < LEAST_DELAY) return;
   const double max_time = timeOf(agent, lengthOf(corners, place), delay.total) - LEAST_GAIN;
-  NavigationMesh::Query& query = way.floor == Floor::COMFORTABLE ? *comfortable_ : *tight_;
+  NavigationMesh::Query& query = way.floor == Floor::COMFORTABLE ? floor.comfortable() : floor.tight();
   if (corners.size() > 1 && !way.lane && passOutside(agent, max_time, way, query)) return;
   if (world.time() < way.around_time) return;
   std::optional<Path> other =
@@ -157,32 +161,31 @@ bool WayFinder::passOutside(const Agent& agent, double max_time, Way& way, Navig
   return found;
 }
 
-Vector2 WayFinder::nextPoint(const Agent& agent, Way& way, const StopRequest& stop) {
+Vector2 WayFinder::nextPoint(const Agent& agent, Way& way, SizedFloor& floor, const StopRequest& stop) const {
   const Vector2& position = agent.pose.position;
-  if (way.floor == Floor::OPEN && areConnected(position, agent.goal())) {
-    way.floor = Floor::TIGHT;
-    way.follower->replan();
+  if (way.floor == Floor::OPEN) {
+    const auto component = floor.tight().component(position);
+    if (component && component == floor.tight().component(agent.goal())) {
+      way.floor = Floor::TIGHT;
+      way.follower->replan();
+    }
   }
   if (way.floor == Floor::COMFORTABLE) {
-    Vector2 next = way.follower->next(position, *comfortable_);
-    if (way.follower->state() == PathFollower::State::ON_THE_WAY) return keepRight(agent, next, way, *comfortable_);
+    Vector2 next = way.follower->next(position, floor.comfortable());
+    if (way.follower->state() == PathFollower::State::ON_THE_WAY) {
+      return keepRight(agent, next, way, floor.comfortable());
+    }
     way.floor = Floor::TIGHT;
     way.follower->replan();
   }
   if (way.floor == Floor::TIGHT) {
-    Vector2 next = way.follower->next(position, *tight_);
-    if (way.follower->state() != PathFollower::State::UNREACHABLE) return keepRight(agent, next, way, *tight_);
-    if (!open_floor_) return next;
+    Vector2 next = way.follower->next(position, floor.tight());
+    if (way.follower->state() != PathFollower::State::UNREACHABLE) return keepRight(agent, next, way, floor.tight());
+    if (!floor.hasClosedGates()) return next;
     way.floor = Floor::OPEN;
     way.follower->replan();
   }
-  if (!open_) open_.emplace(navigationData(*open_floor_, radius_, stop)->tight);
-  return way.follower->next(position, *open_);
-}
-
-bool WayFinder::areConnected(const Vector2& from, const Vector2& to) {
-  const auto component = tight_->component(from);
-  return component && component == tight_->component(to);
+  return way.follower->next(position, floor.open(stop));
 }
 
 /// In corridors agents walk on the right, so that agents in opposite directions do not meet head-on.
@@ -222,13 +225,13 @@ Vector2 WayFinder::chooseAim(const Agent& agent, const Vector2& next, Way& way, 
 bool WayFinder::isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const {
   constexpr std::array<double, 4> SHARES = {0.0, 0.33, 0.67, 1.0};
   return std::all_of(SHARES.begin(), SHARES.end(), [&](double share) {
-    return data_->ruler.widthAt(from + share * (to - from), forward, radius, LANE_WIDTH).total() < LANE_WIDTH;
+    return ruler_->widthAt(from + share * (to - from), forward, radius, LANE_WIDTH).total() < LANE_WIDTH;
   });
 }
 
 /// The place to the right, on the line across the floor, where agents in this direction pass.
 Vector2 WayFinder::laneBeside(const Vector2& place, const Vector2& forward, double radius) const {
-  const FloorWidth room = data_->ruler.widthAt(place, forward, radius, LANE_WIDTH);
+  const FloorWidth room = ruler_->widthAt(place, forward, radius, LANE_WIDTH);
   if (room.total() > LANE_WIDTH || room.total() < 2.0 * radius + LANE_ROOM) return place;
   const double shift = room.right - std::max(LANE_MARGIN, LANE_SHARE * room.total());
   return shift > 0.0 ? Vector2(place + shift * Vector2(forward.y(), -forward.x())) : place;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -8,8 +9,8 @@
 
 #include "navigation/congestion_map.h"
 #include "navigation/deadlock_resolver.h"
-#include "navigation/mesh_cache.h"
 #include "navigation/path_follower.h"
+#include "navigation/sized_floor.h"
 #include "navigation/turn_taking.h"
 #include "navigation/walking_floor.h"
 #include "world/world.h"
@@ -19,7 +20,7 @@ namespace crowd {
 /// @brief Leads agents round walls and obstacles at rest: an agent whose goal is hidden perceives the next corner of a
 /// way to it instead (World::setWaypoint). Learners and learning are the same as without.
 ///
-/// Ways are found for the radius of the largest agent. They keep COMFORTABLE_MARGIN from walls where there is room, and
+/// Ways are found for the size of each agent (SizedFloor). They keep COMFORTABLE_MARGIN from walls where there is room, and
 /// lead round crowds if that saves time (CongestionMap). In narrow places agents take turns (TurnTaking).
 /// Deterministic; depends only on the world.
 ///
@@ -31,7 +32,7 @@ namespace crowd {
 class WayFinder {
  public:
   WayFinder() = default;
-  /// @param scene its gates and sources are used: ways are for the largest agent that these may create
+  /// @param scene its gates and sources are used
   explicit WayFinder(const Scene& scene) : least_radius_(largestSourceRadius(scene)), gates_(gateWalls(scene)) {}
 
   /// @throws InputError if the floor is too large (NavigationMesh), Stopped if the world's stop request is made; the
@@ -73,29 +74,26 @@ class WayFinder {
   };
 
   void adoptLayout(World& world);
-  void lead(Agent& agent, Way& way, const World& world);
-  void reconsider(const Agent& agent, Way& way, const World& world);
+  void lead(Agent& agent, Way& way, SizedFloor& floor, const World& world);
+  void reconsider(const Agent& agent, Way& way, SizedFloor& floor, const World& world);
   double timeOf(const Agent& agent, Span<Vector2> corners) const;
   static double timeOf(const Agent& agent, double length, double delay);
   bool passOutside(const Agent& agent, double max_time, Way& way, NavigationMesh::Query& query) const;
-  Vector2 nextPoint(const Agent& agent, Way& way, const StopRequest& stop);
-  bool areConnected(const Vector2& from, const Vector2& to);
+  Vector2 nextPoint(const Agent& agent, Way& way, SizedFloor& floor, const StopRequest& stop) const;
+  SizedFloor& floorOf(const Agent& agent, const World& world);
   Vector2 keepRight(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   Vector2 chooseAim(const Agent& agent, const Vector2& next, Way& way, NavigationMesh::Query& query) const;
   bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
   Vector2 laneBeside(const Vector2& place, const Vector2& forward, double radius) const;
 
-  std::uint64_t layout_changes_ = 0;  // of the world that `data_` belongs to
+  std::uint64_t layout_changes_ = 0;  // of the world that the floors belong to
   bool is_needed_ = false;            // there is anything to walk round
-  FloorPlan::Bounds bounds_;          // of the floor of `data_`
-  double radius_ = 0.0;               // of the agents that it is for [m]
+  FloorPlan::Bounds bounds_;          // of the floors
+  double radius_ = 0.0;               // of the agents that the ruler is for [m]
   double least_radius_ = 0.0;         // of the agents that may appear [m]
-  std::shared_ptr<const NavigationData> data_;
-  std::optional<NavigationMesh::Query> comfortable_;
-  std::optional<NavigationMesh::Query> tight_;
   std::vector<Segment> gates_;
-  std::optional<FloorPlan> open_floor_;        // with all gates open, if any is closed
-  std::optional<NavigationMesh::Query> open_;  // on its tight mesh; made when it is needed
+  std::map<double, SizedFloor> floors_;  // by size; made when an agent of the size appears
+  std::shared_ptr<const FloorRuler> ruler_;
   CongestionMap congestion_;
   std::optional<TurnTaking> turns_;
   DeadlockResolver deadlocks_;

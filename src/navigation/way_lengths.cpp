@@ -1,6 +1,7 @@
 #include "navigation/way_lengths.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "common/text/numbers.h"
 #include "scenario/region_geometry.h"
@@ -23,48 +24,50 @@ std::string coverOf(const World& world, const Vector2& place, double distance) {
 
 }  // namespace
 
-WayLengths::Floor& WayLengths::floorFor(const World& world, const Vector2& from, const Vector2& to, double radius,
-                                        bool opened) {
-  std::optional<Floor>& kept = opened ? opened_ : present_;
-  const double largest = std::max({radius, least_radius_, largestRadius(world)});
-  if (kept && kept->layout_changes == world.layoutChanges() && kept->radius == largest &&
-      contains(kept->bounds, from) && contains(kept->bounds, to)) {
-    return *kept;
+SizedFloor* WayLengths::floorFor(const World& world, const Vector2& from, const Vector2& to, double radius) {
+  const double size = SizedFloor::sizeOf(radius);
+  if (layout_changes_ != world.layoutChanges() || !contains(bounds_, from) || !contains(bounds_, to)) floors_.clear();
+  const auto found = floors_.find(size);
+  if (found != floors_.end()) return found->second ? &*found->second : nullptr;
+  FloorPlan plan = walkingFloor(world, size);
+  if (floors_.empty()) {
+    includePoint(from, *plan.bounds);
+    includePoint(to, *plan.bounds);
+    bounds_ = *plan.bounds;
+    layout_changes_ = world.layoutChanges();
   }
-  kept.reset();
-  FloorPlan plan = walkingFloor(world, largest);
-  includePoint(from, *plan.bounds);
-  includePoint(to, *plan.bounds);
-  Floor floor;
-  floor.layout_changes = world.layoutChanges();
-  floor.radius = largest;
-  floor.bounds = *plan.bounds;
-  floor.has_barriers = hasBarriers(plan);
-  FloorPlan without_gates = plan;
-  floor.has_closed_gates = openGates(gates_, without_gates);
-  if (floor.has_barriers) {
-    floor.query.emplace(navigationData(opened ? without_gates : plan, largest, world.stopRequest())->tight);
-  }
-  return kept.emplace(std::move(floor));
+  std::optional<SizedFloor> floor;
+  if (hasBarriers(plan)) floor.emplace(world, size, bounds_, gates_);
+  std::optional<SizedFloor>& kept = floors_.emplace(size, std::move(floor)).first->second;
+  return kept ? &*kept : nullptr;
 }
 
 std::optional<WayLengths::Way> WayLengths::find(const World& world, const Vector2& from, const Vector2& to,
                                                 double radius) {
-  Floor& present = floorFor(world, from, to, radius, false);
-  if (!present.has_barriers) return Way{Kind::FREE, (to - from).norm()};
-  if (const auto path = present.query->findPath(from, to)) return Way{Kind::FREE, path->length};
-  if (!present.has_closed_gates) return std::nullopt;
-  const auto path = floorFor(world, from, to, radius, true).query->findPath(from, to);
+  SizedFloor* const floor = floorFor(world, from, to, radius);
+  if (floor == nullptr) return Way{Kind::FREE, (to - from).norm()};
+  if (const auto path = floor->tight().findPath(from, to)) return Way{Kind::FREE, path->length};
+  if (!floor->hasClosedGates()) return std::nullopt;
+  const auto path = floor->open(world.stopRequest()).findPath(from, to);
   if (!path) return std::nullopt;
   return Way{Kind::GATES, path->length};
+}
+
+bool WayLengths::connects(const World& world, const Vector2& from, const Vector2& to, double radius) {
+  SizedFloor* const floor = floorFor(world, from, to, radius);
+  if (floor == nullptr) return true;
+  NavigationMesh::Query& query = floor->hasClosedGates() ? floor->open(world.stopRequest()) : floor->tight();
+  const auto component = query.component(from);
+  return !component || component == query.component(to);
 }
 
 std::string WayLengths::problemOf(const World& world, const Vector2& from, const Vector2& goal, double radius) {
   const std::string cover = coverOf(world, goal, radius - goal_tolerance_);
   if (!cover.empty()) return "the goal " + placeText(goal) + " is in " + cover;
-  if (find(world, from, goal, radius) || !present_->query->component(from)) return "";
+  if (find(world, from, goal, radius)) return "";
+  if (!floorFor(world, from, goal, radius)->tight().component(from)) return "";
   return "the goal " + placeText(goal) + " cannot be reached from " + placeText(from) + " with a radius of " +
-         toText(present_->radius) + " m";
+         toText(radius) + " m";
 }
 
 void WayLengths::requireWay(const std::string& who, const World& world, const Vector2& from, const Vector2& goal,

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
-#include "navigation/walking_floor.h"
+#include "navigation/sized_floor.h"
 #include "scenario/scene.h"
 #include "world/world.h"
 
@@ -14,7 +15,7 @@ namespace crowd {
 
 /// @brief Answers whether places can be reached, and how far it is, with the floor and the mesh of WayFinder.
 ///
-/// Keeps the mesh of the last question. Deterministic. Not thread-safe.
+/// Keeps the meshes of the last layout. Deterministic. Not thread-safe.
 class WayLengths {
  public:
   /// @brief FREE: now. GATES: only with all gates open, so that an agent has to wait at one. STRAIGHT: the straight
@@ -28,13 +29,16 @@ class WayLengths {
   };
 
   explicit WayLengths(const Scene& scene)
-      : gates_(gateWalls(scene)), least_radius_(largestSourceRadius(scene)), goal_tolerance_(scene.goal_tolerance) {}
+      : gates_(gateWalls(scene)), goal_tolerance_(scene.goal_tolerance) {}
 
   /// @brief The shortest way between two places [m]; only if there is none, the shortest one with all gates open.
-  /// @param radius of the agent [m]; the way is for the largest agent of the world and its sources, or for this one if
-  /// it is larger
+  /// @param radius of the agent [m]
   /// @return std::nullopt if they are not connected @throws InputError if the floor is too large
   std::optional<Way> find(const World& world, const Vector2& from, const Vector2& to, double radius);
+
+  /// @brief Whether a way leads from one place to another [m], if necessary with all gates open. A place where no way
+  /// begins is connected with all. @throws InputError if the floor is too large
+  bool connects(const World& world, const Vector2& from, const Vector2& to, double radius);
 
   /// @brief Why an agent at a place may not have a goal: it is in a wall or obstacle, or cannot be reached. Empty if it
   /// may. A place where no way begins, such as a gap that is too narrow for way-finding, may have any that is not in a
@@ -46,24 +50,14 @@ class WayLengths {
   void requireWay(const std::string& who, const World& world, const Vector2& from, const Vector2& goal, double radius);
 
  private:
-  /// A floor that was asked about.
-  struct Floor {
-    std::uint64_t layout_changes = 0;
-    double radius = 0.0;
-    FloorPlan::Bounds bounds;
-    bool has_barriers = false;
-    bool has_closed_gates = false;
-    std::optional<NavigationMesh::Query> query;  // if it has barriers
-  };
-
-  /// @param opened with all gates open
-  Floor& floorFor(const World& world, const Vector2& from, const Vector2& to, double radius, bool opened);
+  /// The floor for agents of this radius; nullptr if there is nothing to walk round.
+  SizedFloor* floorFor(const World& world, const Vector2& from, const Vector2& to, double radius);
 
   std::vector<Segment> gates_;
-  double least_radius_;  // of the agents that may appear [m]
   double goal_tolerance_;
-  std::optional<Floor> present_;
-  std::optional<Floor> opened_;
+  std::uint64_t layout_changes_ = 0;  // of the world that the floors belong to
+  FloorPlan::Bounds bounds_;          // of the floors
+  std::map<double, std::optional<SizedFloor>> floors_;  // by size; none if there is nothing to walk round
 };
 
 }  // namespace crowd

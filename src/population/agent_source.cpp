@@ -2,7 +2,8 @@
 
 namespace crowd {
 
-std::optional<AgentStart> AgentSource::next(const World& world, const PlacePicker& places) {
+std::optional<AgentStart> AgentSource::next(const World& world, const PlacePicker& places,
+                                            const PlacePicker::Reach& can_reach) {
   if (schedule_.next() > world.time() + TIME_ROUNDING) return std::nullopt;
   const AgentGroup& group = source_->agents;
   const KeyedRandom random = random_.with(created_);
@@ -16,7 +17,7 @@ std::optional<AgentStart> AgentSource::next(const World& world, const PlacePicke
   start.route = group.route;
   Vector2 from = start.position;
   for (const Region& goal : group.goals) {
-    from = places.drawGoal(goal, from, start.radius, random.with(GOAL).with(start.goals.size()), world);
+    from = places.drawGoal(goal, from, start.radius, random.with(GOAL).with(start.goals.size()), world, can_reach);
     start.goals.push_back(from);
   }
   if (group.opposite) start.goals = {2.0 * *group.opposite - start.position};

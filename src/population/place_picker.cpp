@@ -31,7 +31,7 @@ std::uint32_t PlacePicker::componentNear(const Vector2& place, double radius) co
 }
 
 Vector2 PlacePicker::drawGoal(const Region& region, const Vector2& from, double radius, KeyedRandom random,
-                              const World& world) const {
+                              const World& world, const Reach& can_reach) const {
   if (region.isFixed()) return region.first;
   const std::uint32_t home = free_space_ ? componentNear(from, radius) : FreeSpace::NONE;
   Vector2 goal = from;
@@ -39,7 +39,7 @@ Vector2 PlacePicker::drawGoal(const Region& region, const Vector2& from, double 
     goal = region.draw(random, free_space_.get());
     if ((goal - from).norm() <= goal_tolerance_ || !fits(goal, radius, world)) continue;
     const bool is_reachable = home == FreeSpace::NONE || free_space_->component(goal) == home;
-    if (is_reachable) return goal;
+    if (is_reachable && can_reach(from, goal, radius)) return goal;
   }
   return goal;
 }

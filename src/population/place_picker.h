@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -15,16 +16,19 @@ namespace crowd {
 /// numbers.
 class PlacePicker {
  public:
+  /// @brief Whether a way leads from one place to another [m] for an agent of a radius [m].
+  using Reach = std::function<bool(const Vector2& from, const Vector2& to, double radius)>;
+
   explicit PlacePicker(const Scene& scene);
 
   /// @brief Whether a disc [m] overlaps neither walls nor obstacles at rest, and its centre is in a free cell of the
   /// map.
   bool fits(const Vector2& place, double radius, const World& world) const;
-  /// @brief Draws a goal in a region: a place where the agent fits, where it has not arrived yet, and, with {map:
-  /// free}, that it can reach. Returns the last draw if MAX_TRIES draws find none.
+  /// @brief Draws a goal in a region: a place where the agent fits, where it has not arrived yet, and that it can
+  /// reach. Returns the last draw if MAX_TRIES draws find none.
   /// @param from where the agent is [m] @param radius of the agent [m]
-  Vector2 drawGoal(const Region& region, const Vector2& from, double radius, KeyedRandom random,
-                   const World& world) const;
+  Vector2 drawGoal(const Region& region, const Vector2& from, double radius, KeyedRandom random, const World& world,
+                   const Reach& can_reach) const;
   /// @brief Draws a start position in a region: a free place. Absent if the draws of one tick find none.
   std::optional<Vector2> drawStart(const Region& region, double radius, KeyedRandom random, const World& world) const;
   /// @brief Whether a place that was drawn from {map: free} is connected with the goals or the route of an agent, as

@@ -92,8 +92,9 @@ void Population::admit(AgentId id, const AgentStart& start, World& world, RouteO
 
 Vector2 Population::goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) {
   const WaypointDescription& waypoint = member.route->waypoint();
-  if (waypoint.kind == Kind::PLACE)
-    return places_.drawGoal(waypoint.place, from, radius, member.route->random(), world);
+  if (waypoint.kind == Kind::PLACE) {
+    return places_.drawGoal(waypoint.place, from, radius, member.route->random(), world, reachIn(world));
+  }
   if (waypoint.kind == Kind::QUEUE) return queues_[waypoint.target].end();
   member.sink = waypoint.target;
   if (waypoint.kind == Kind::SINK) return places_.nearestIn(description_->sinks[member.sink].area, from, radius, world);
@@ -122,6 +123,16 @@ WayLengths::Way Population::wayTo(const Vector2& place, const Vector2& from, dou
   } catch (const InputError&) {  // the floor is too large: the episode goes on without way-finding
     return straight;
   }
+}
+
+PlacePicker::Reach Population::reachIn(const World& world) {
+  return [this, &world](const Vector2& from, const Vector2& to, double radius) {
+    try {
+      return !ways_ || ways_->connects(world, from, to, radius);
+    } catch (const InputError&) {  // as above
+      return true;
+    }
+  };
 }
 
 void Population::beginLeg(Member& member, World& world) {
@@ -173,7 +184,7 @@ void Population::serveQueues(World& world, RouteObserver& observer) {
 void Population::spawn(World& world, RouteObserver& observer) {
   for (AgentSource& source : sources_) {
     while (world.activeCount() < limits::BODIES) {
-      std::optional<AgentStart> start = source.next(world, places_);
+      std::optional<AgentStart> start = source.next(world, places_, reachIn(world));
       if (!start) break;
       world.stopRequest().throwIfMade();
       const auto id = static_cast<AgentId>(world.enteredCount());

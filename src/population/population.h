@@ -81,6 +81,7 @@ class Population {
   Vector2 nearestSink(Member& member, const Vector2& from, double radius, const World& world);
   /// The way to a place; without way-finding the straight line.
   WayLengths::Way wayTo(const Vector2& place, const Vector2& from, double radius, const World& world);
+  PlacePicker::Reach reachIn(const World& world);
   void beginLeg(Member& member, World& world);
   /// Goes on to the next waypoint, or lets the agent leave at the end of its route.
   void advance(Member& member, World& world, RouteObserver& observer);

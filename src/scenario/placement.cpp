@@ -86,7 +86,7 @@ class Placement {
   void completeAgents();
   void completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, bool& separate_goals);
   bool areConnected(const Vector2& from, const Vector2& to) const;
-  bool drawGoals(const AgentGroup& group, AgentStart& agent, bool separate);
+  bool drawGoals(const AgentGroup& group, AgentStart& agent, bool separate, bool connected);
   void requireWay(const AgentGroup& group, const Label& label) const;
 
   const Scenario& scenario_;
@@ -245,7 +245,7 @@ void Placement::completeAgent(const AgentGroup& group, const Label& label, Agent
         continue;
       }
     }
-    if (!drawGoals(group, agent, separate_goals)) {
+    if (!drawGoals(group, agent, separate_goals, tries < MAX_TRIES / 2)) {
       continue;
     }
     if (!placed) {
@@ -265,7 +265,7 @@ bool Placement::areConnected(const Vector2& from, const Vector2& to) const {
   return component != FreeSpace::NONE && component == scene_.free_space->component(to);
 }
 
-bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separate) {
+bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separate, bool connected) {
   agent.goals.clear();
   const bool is_anywhere = group.position.kind == Region::Kind::FREE;
   if (group.route && is_anywhere) {
@@ -286,6 +286,7 @@ bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separ
     if (drawn && (!placed_.canStandAt(goal, agent.radius) || (separate && placed_.isNearGoal(goal, agent.radius)))) {
       return false;
     }
+    if (connected && group.reach && (drawn || from_drawn) && !group.reach->connects(from, goal)) return false;
     agent.goals.push_back(goal);
     from = goal;
     from_drawn = drawn;

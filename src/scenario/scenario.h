@@ -8,6 +8,7 @@
 
 #include "common/random.h"
 #include "common/stop_request.h"
+#include "maps/floor_reach.h"
 #include "maps/free_space.h"
 #include "scenario/scene.h"
 
@@ -50,6 +51,8 @@ struct AgentGroup {
   bool keeps_heading = false;       ///< see AgentStart
   std::optional<std::size_t> route = std::nullopt;  ///< index of a route of the population, instead of goals
   Range reaction_time;                              ///< [s], see AgentStart
+  /// Where its agents can walk, for drawing places; null: nothing is drawn, or nothing is in the way.
+  std::shared_ptr<const FloorReach> reach = nullptr;
 };
 
 /// @brief A position relative to the straight line from an agent's start to its first goal.

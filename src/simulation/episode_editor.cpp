@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "navigation/sized_floor.h"
 #include "population/population_changes.h"
 #include "population/route_check.h"
 #include "simulation/episode.h"
@@ -14,7 +15,7 @@ EpisodeEditor::EpisodeEditor(Episode& episode) : WorldEditor(episode.world_), ep
 
 void EpisodeEditor::review(const WorldChange& change) {
   if (!episode_.findsWays()) return;
-  requireNavigableFloor(world_, change, largestSourceRadius(episode_.scene_));
+  requireNavigableFloor(world_, change, episode_.scene_);
   if (change.agent == nullptr) return;
   const Agent& agent = *change.agent;
   const std::string name = change.start != nullptr ? "the agent" : "agent " + std::to_string(agent.id);

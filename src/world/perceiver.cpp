@@ -139,7 +139,8 @@ inline void Perceiver::findWalls(const World& world, const Vision& vision, const
   if (world.walls().list().empty()) return;
   const Rotation frame(agent.ahead);
   near_walls_.clear();
-  world.walls().index().findNear(agent.pose.position, std::min(world.walls().reach(), vision.radius), near_walls_);
+  const double reach = vision.wallReach(agent.radius, agent.max_speed * world.tickDuration());
+  world.walls().index().findNear(agent.pose.position, reach, near_walls_);
   for (const std::uint32_t number : near_walls_) {
     const Segment& wall = world.walls().list()[number];
     walls.push_back({frame.intoFrame(wall.from - agent.pose.position), frame.intoFrame(wall.to - agent.pose.position)});

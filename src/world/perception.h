@@ -18,6 +18,14 @@ struct Vision {
   double radius = 6.0;               ///< maximum distance from the agent's centre to the rim of a neighbour [m]
   std::uint32_t max_neighbours = 0;  ///< only the nearest of the visible neighbours are perceived; 0: no limit
   bool occlusion = false;            ///< nearer neighbours and walls hide others (see Occlusion)
+  /// Maximum distance from the agent's rim to a wall, as far as that is within `radius` of its centre [m].
+  double wall_distance = std::numeric_limits<double>::infinity();
+
+  /// @brief Maximum distance from an agent's centre to a wall [m]. Walls that it can reach within a tick count, too.
+  /// @param body_radius of the agent [m] @param step the longest one in a tick [m]
+  double wallReach(double body_radius, double step) const {
+    return std::min(radius, body_radius + std::max(wall_distance, step));
+  }
 
   /// @brief Number of neighbours, nearest rim first, that are within these limits.
   template <typename Neighbours>

@@ -1,13 +1,17 @@
 #include "world/walls.h"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "social_crowd/errors.h"
 
 namespace crowd {
+namespace {
+
+constexpr double USUAL_REACH = 0.9;  // of searches for the walls that an agent perceives [m]
+
+}  // namespace
 
 std::size_t Walls::add(const Segment& wall) {
   std::vector<Segment> walls = list();
@@ -33,9 +37,7 @@ void Walls::replaceAll(std::vector<Segment> walls) {
 }
 
 void Walls::use(std::vector<Segment> walls) {
-  const bool are_many = walls.size() > MANY;
-  reach_ = are_many ? NEAR : std::numeric_limits<double>::infinity();
-  index_ = WallIndex(std::move(walls), are_many ? NEAR : 0.0);
+  index_ = WallIndex(std::move(walls), USUAL_REACH);
 }
 
 }  // namespace crowd

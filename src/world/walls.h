@@ -10,18 +10,11 @@ namespace crowd {
 /// @brief The walls of a world. Each has an id that is not used again; those of a scene have the ids 0, 1, 2 ...
 class Walls {
  public:
-  /// @brief Of more than MANY walls, agents perceive those within the distance NEAR only [m]: there can be hundreds
-  /// within the radius of vision, and walls farther away are left to way-finding.
-  static constexpr double NEAR = 1.2;
-  static constexpr std::size_t MANY = 100;
-
   /// @brief The walls, by ascending id.
   const std::vector<Segment>& list() const { return index_.walls(); }
   const WallIndex& index() const { return index_; }
   /// @brief The id of each wall, in the order of list().
   const std::vector<std::size_t>& ids() const { return ids_; }
-  /// @brief Agents perceive walls within this distance [m].
-  double reach() const { return reach_; }
 
   /// @brief Adds a wall and returns its id.
   std::size_t add(const Segment& wall);
@@ -33,7 +26,6 @@ class Walls {
   void use(std::vector<Segment> walls);
 
   WallIndex index_;
-  double reach_ = 0.0;
   std::vector<std::size_t> ids_;
   std::size_t next_id_ = 0;
 };

@@ -79,25 +79,31 @@ TEST(WayLengths, RefusesGoalsThatNoWayLeadsTo) {
   EXPECT_EQ(refusal({0.15, 1.0}), "no error");  // the agent arrives 0.1 m before it
 }
 
-/// A wall on the line x = 0 has a gap of 0.8 m at y = 0, for agents of up to 0.3 m, and one of 3 m at y = 7. An agent
-/// of radius 0.2 m takes the wide one from the beginning if a source may create one of 0.4 m later.
-TEST(Reach, WaysAreForTheLargestAgentThatASourceMayCreate) {
+/// A wall on the line x = 0 has a gap of 0.8 m at y = 0, for agents of up to 0.3 m, and one of 3 m at y = 7.
+TEST(Reach, WaysAreForTheSizeOfEachAgent) {
   const std::string keys =
       "walls: [[[0, -20], [0, -0.4]], [[0, 0.4], [0, 5.5]], [[0, 8.5], [0, 20]]]\n"
-      "agents: [{position: [-2, 0.5], goal: [2, 0.5], speed: 1, radius: 0.2}]\n";
-  const auto source = [](const std::string& radius) {
-    return "sources: [{area: [-9, 0], times: [900], goal: [-5, 0], speed: 1, radius: " + radius + "}]\n";
-  };
-  const auto first_corner = [](const std::string& text) {
-    return episodeOf(text).world().agents()[0].perceivedGoal().y();
-  };
-  EXPECT_LT(first_corner(keys), 0.5);
-  EXPECT_LT(first_corner(keys + source("[0.15, 0.2]")), 0.5);
-  EXPECT_GT(first_corner(keys + source("[0.2, 0.4]")), 5.0);
-  const Scene scene = sceneOf(keys + source("[0.2, 0.4]"));
-  const auto way = WayLengths(scene).find(World(scene), {-2.0, 0.5}, {2.0, 0.5}, RADIUS);
-  ASSERT_TRUE(way);
-  EXPECT_GT(way->length, 2.0 * std::hypot(2.0, 5.0));
+      "agents:\n"
+      "  - {position: [-2, 0.5], goal: [2, 0.5], speed: 1, radius: 0.2}\n"
+      "  - {position: [-4, 0.5], goal: [4, 0.5], speed: 1, radius: 0.4}\n"
+      "sources: [{area: [-9, 0], times: [900], goal: [-5, 0], speed: 1, radius: [0.2, 0.5]}]\n";
+  const Episode episode = episodeOf(keys);
+  EXPECT_LT(episode.world().agents()[0].perceivedGoal().y(), 0.5);
+  EXPECT_GT(episode.world().agents()[1].perceivedGoal().y(), 5.0);
+  const Scene scene = sceneOf(keys);
+  const World world(scene);
+  WayLengths ways(scene);
+  const auto length = [&](double radius) { return ways.find(world, {-2.0, 0.5}, {2.0, 0.5}, radius)->length; };
+  EXPECT_LT(length(RADIUS), 4.5);
+  EXPECT_GT(length(0.4), 2.0 * std::hypot(2.0, 5.0));
+  EXPECT_LT(length(RADIUS), 4.5);
+}
+
+TEST(SizedFloor, SizesAreRadiiRoundedUp) {
+  EXPECT_DOUBLE_EQ(SizedFloor::sizeOf(0.2), 0.2);
+  EXPECT_DOUBLE_EQ(SizedFloor::sizeOf(0.201), 0.25);
+  EXPECT_DOUBLE_EQ(SizedFloor::sizeOf(0.3), 0.3);
+  EXPECT_DOUBLE_EQ(SizedFloor::sizeOf(0.01), 0.05);
 }
 
 TEST(Reach, RefusedChangesChangeNothing) {

@@ -47,6 +47,31 @@ TEST(Population, WalksARouteAndLeavesAtItsEnd) {
   EXPECT_NEAR(result.straight_length, 3.9, 1e-12);
 }
 
+/// A closed room covers half of the region that goals are drawn in.
+const char* const CLOSED_ROOM =
+    "walls: [[[-1, -6], [3, -6]], [[3, -6], [3, 6]], [[3, 6], [-1, 6]], [[-1, 6], [-1, -6]]]\n";
+const char* const PLACES = "{box: [[-5, -5], [3, 5]]}";
+
+TEST(Population, PlacesOfRoutesAreDrawnWhereAWayLeads) {
+  const std::string routes =
+      std::string("routes: {tour: {repeat: true, waypoints: [{place: ") + PLACES + "}]}}\n" + CLOSED_ROOM;
+  Episode episode = episodeOf("agents: [{position: [-4, 0], route: tour, speed: 2, radius: 0.2}]\n" + routes, 100.0);
+  while (!episode.isOver()) {
+    ASSERT_LT(episode.world().agents()[0].goal().x(), -1.0);
+    step(episode);
+  }
+  EXPECT_GT(episode.result().agents.at(0).waypoints, 20U);
+}
+
+TEST(Population, GoalsOfSourcesAreDrawnWhereAWayLeads) {
+  Episode episode = episodeOf(std::string("agents: []\nsources: [{area: {box: [[-5, -5], [-2, 5]]}, rate: 2, goal: ") +
+                                  PLACES + ", speed: 1, radius: [0.2, 0.3]}]\n" + CLOSED_ROOM,
+                              20.0);
+  while (!episode.isOver()) step(episode);
+  ASSERT_GT(episode.result().agents.size(), 20U);
+  EXPECT_EQ(episode.result().outOfReach(), std::vector<AgentId>());
+}
+
 TEST(Population, ARouteThatRepeatsGoesOnAndHasNotFailed) {
   Episode episode = episodeOf(
       "agents: [{position: [0, 0], route: rounds, speed: 1, radius: 0.2}]\n"

@@ -206,6 +206,33 @@ TEST(Scenario, DrawnGoalsKeepClearOfEachOther) {
   });
 }
 
+/// A closed room covers half of the box.
+const char* const CLOSED_ROOM =
+    "agents: [{count: 20, position: {box: [[-5, -5], [3, 5]]}, goal: {box: [[-5, -5], [3, 5]]}, speed: 1, radius: 0.2}]\n"
+    "walls: [[[-1, -6], [3, -6]], [[3, -6], [3, 6]], [[3, 6], [-1, 6]], [[-1, 6], [-1, -6]]]\n";
+
+TEST(Scenario, StartsAndGoalsAreDrawnWhereAWayConnectsThem) {
+  const auto count_apart = [](const std::string& text) {
+    std::size_t apart = 0;
+    for (std::uint64_t episode = 0; episode < 10; ++episode) {
+      for (const AgentStart& agent : parse(HEAD + text).scene(1, episode).agents) {
+        apart += (agent.position.x() < -1.0) == (agent.goals.front().x() < -1.0) ? 0 : 1;
+      }
+    }
+    return apart;
+  };
+  EXPECT_EQ(count_apart(CLOSED_ROOM), 0U);
+  EXPECT_GT(count_apart(std::string(CLOSED_ROOM) + "way_finding: false\n"), 0U);
+}
+
+TEST(Scenario, GoalsThatNoWayLeadsToAreDrawnIfThereAreNoOthers) {
+  const Scene scene = parse(std::string(HEAD) +
+                            "agents: [{position: [-4, 0], goal: {box: [[0, -5], [2, 5]]}, speed: 1, radius: 0.2}]\n"
+                            "walls: [[[-1, -6], [3, -6]], [[3, -6], [3, 6]], [[3, 6], [-1, 6]], [[-1, 6], [-1, -6]]]\n")
+                          .scene(1, 0);
+  EXPECT_GT(scene.agents.front().goals.front().x(), 0.0);
+}
+
 TEST(Scenario, DrawnGoalsMayOverlapIfThereIsNoRoom) {
   const ScenarioList list = parse(std::string(HEAD) +
                                   "agents: [{count: 20, position: {box: [[-5, -5], [0, 5]]},\n"

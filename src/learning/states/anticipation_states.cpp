@@ -65,7 +65,7 @@ void AnticipationStates::findRows(const PerceptionBatch& batch, const MoveBlock*
 
 std::string AnticipationStates::spec() const {
   return std::string("{type: ") + TYPE + ", vision_radius: " + toText(parameters_.vision_radius) +
-         ", max_neighbours: " + std::to_string(parameters_.max_neighbours) +
+         ", wall_distance: " + toText(parameters_.wall_distance) + ", max_neighbours: " + std::to_string(parameters_.max_neighbours) +
          ", reciprocal_times: " + toText(parameters_.reciprocal_times) +
          ", constant_velocity_times: " + toText(parameters_.constant_velocity_times) +
          ", static_times: " + toText(parameters_.static_times) +
@@ -86,10 +86,11 @@ RowMeaning AnticipationStates::meaning() const {
 }
 
 std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const ActionSet& action_set) {
-  map.allow({"type", "vision_radius", "max_neighbours", "reciprocal_times", "constant_velocity_times", "static_times",
-             "admissible_fractions", "turns", "oncoming"});
+  map.allow({"type", "vision_radius", "wall_distance", "max_neighbours", "reciprocal_times", "constant_velocity_times",
+             "static_times", "admissible_fractions", "turns", "oncoming"});
   AnticipationStates::Parameters parameters;
   parameters.vision_radius = map.number("vision_radius", limits::DISTANCE, parameters.vision_radius);
+  parameters.wall_distance = map.number("wall_distance", limits::DISTANCE, parameters.wall_distance);
   parameters.max_neighbours =
       static_cast<std::uint32_t>(map.whole("max_neighbours", 0, limits::NEIGHBOURS, parameters.max_neighbours));
   double rows = 1.0;

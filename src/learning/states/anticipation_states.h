@@ -21,6 +21,7 @@ class AnticipationStates : public StateSet, public ExplainedRows {
 
   struct Parameters {
     double vision_radius = 6.0;         ///< [m]
+    double wall_distance = 0.6;         ///< up to which walls count; those farther away are left to way-finding [m]
     std::uint32_t max_neighbours = 16;  ///< the nearest ones; 0: no limit
     /// Reciprocal time to collision (van den Berg et al. 2008), at the relative velocity 2 v - own last - other's last
     /// [s].
@@ -46,6 +47,7 @@ class AnticipationStates : public StateSet, public ExplainedRows {
   /// @brief Returns the same row: no quantity depends on left and right.
   Row mirrored(Row row) const override { return row; }
   double visionRadius() const override { return parameters_.vision_radius; }
+  double wallDistance() const override { return parameters_.wall_distance; }
   std::uint32_t maxNeighbours() const override { return parameters_.max_neighbours; }
   std::string spec() const override;
   RowMeaning meaning() const override;

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,12 +46,14 @@ class StateSet {
   virtual Row mirrored(Row row) const = 0;
   /// @brief Maximum distance from the agent's centre to the rim of a neighbour or a wall that the rows depend on [m].
   virtual double visionRadius() const = 0;
+  /// @brief Maximum distance from the agent's rim to a wall that the rows, the action set or the reward depend on [m].
+  virtual double wallDistance() const { return std::numeric_limits<double>::infinity(); }
   /// @brief Maximum number of neighbours in a perception, the nearest ones; 0: no limit.
   ///
   /// This limits the perception as a whole, not only this state set: the crowd controller perceives with it by default
   /// (see Model::vision()), and the learner truncates the neighbours to it, and to the radius of vision, before it
   /// calls the state set, the action set (with it the separation rule) and the reward. With 0 the learner passes on all
-  /// neighbours that it receives, also those beyond the radius of vision. Walls are never truncated.
+  /// neighbours that it receives, also those beyond the radius of vision.
   virtual std::uint32_t maxNeighbours() const { return 0; }
   /// @brief Name and parameters as one canonical line of YAML. Two sets with equal lines are the same set; Q-table
   /// files are checked by it.

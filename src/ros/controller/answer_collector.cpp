@@ -65,7 +65,8 @@ void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event)
 
 void AnswerCollector::takeStatus(const ros::MessageEvent<const social_crowd::LearnerStatus>& event) {
   const social_crowd::LearnerStatus& status = *event.getMessage();
-  const Vision vision{status.vision_radius, status.max_neighbours, status.occlusion != 0};
+  const Vision vision{status.vision_radius, status.max_neighbours, status.occlusion != 0,
+                      wallDistanceOf(status.wall_distance)};
   const std::string& learner = status.node.empty() ? event.getPublisherName() : status.node;
   perceptions_.useTopicOf(learner, status);
   visions_.report(learner, vision);

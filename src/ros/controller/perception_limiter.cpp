@@ -34,8 +34,9 @@ const Perceptions& PerceptionLimiter::limit(const Perceptions& perceptions, cons
 }
 
 void PerceptionLimiter::limitWalls(const Perception& wide) {
+  const double reach = vision_.wallReach(wide.self.radius, wide.self.max_speed * wide.tick_duration);
   for (const Segment& wall : wide.walls) {
-    if (distanceTo(wall, Vector2::Zero()) <= vision_.radius) limited_.walls.push_back(wall);
+    if (distanceTo(wall, Vector2::Zero()) <= reach) limited_.walls.push_back(wall);
   }
 }
 

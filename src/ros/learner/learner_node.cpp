@@ -197,6 +197,7 @@ social_crowd::LearnerStatus LearnerNode::status() const {
   status.vision_radius = limiter_.vision().radius;
   status.max_neighbours = limiter_.vision().max_neighbours;
   status.occlusion = limiter_.vision().occlusion ? 1 : 0;
+  status.wall_distance = wallDistanceField(limiter_.vision());
   return status;
 }
 

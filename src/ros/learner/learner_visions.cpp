@@ -21,6 +21,13 @@ void LearnerVisions::report(const std::string& learner, const Vision& vision) {
              learner.c_str(), vision.max_neighbours, limits::NEIGHBOURS);
     return;
   }
+  const double wall_distance = wallDistanceField(vision);
+  const std::string wall_refusal = refusalOf(wall_distance, limits::DISTANCE_OR_0);
+  if (!wall_refusal.empty()) {
+    ROS_WARN("'%s' requests walls up to a distance of %g; expected %s. The request is ignored", learner.c_str(),
+             wall_distance, wall_refusal.c_str());
+    return;
+  }
   if (vision.radius == 0.0) {
     reported_.erase(learner);
   } else {

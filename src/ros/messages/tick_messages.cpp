@@ -3,6 +3,8 @@
 #include <cstring>
 #include <vector>
 
+#include "ros/messages/vision.h"
+
 namespace crowd {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr std::uint32_t WIRE_NEIGHBOUR = 1 + 5 * NUMBER;
 constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
 constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 2 + 4 * COUNT;
 constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
-constexpr std::uint32_t WIRE_PERCEPTIONS = 5 * NUMBER + 2 * COUNT + 2 + 3 * COUNT;  // without header and lists
+constexpr std::uint32_t WIRE_PERCEPTIONS = 6 * NUMBER + 2 * COUNT + 2 + 3 * COUNT;  // without header and lists
 constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;                          // without header, name and list
 
 /// Writes numbers consecutively to a buffer. The size is reserved once per list.
@@ -233,6 +235,7 @@ void Serializer<PerceptionsMessage>::write(OStream& stream, const PerceptionsMes
   stream.next(message.vision.radius);
   stream.next(message.vision.max_neighbours);
   stream.next(std::uint8_t{message.vision.occlusion});
+  stream.next(crowd::wallDistanceField(message.vision));
   crowd::putLists(stream, message);
 }
 
@@ -242,6 +245,7 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   Perceptions& content = message.received;
   std::uint8_t last = 0;
   std::uint8_t occlusion = 0;
+  double wall_distance = 0.0;
   stream.next(message.header);
   stream.next(content.episode);
   stream.next(content.tick);
@@ -252,8 +256,10 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   stream.next(message.vision.radius);
   stream.next(message.vision.max_neighbours);
   stream.next(occlusion);
+  stream.next(wall_distance);
   content.last = last != 0;
   message.vision.occlusion = occlusion != 0;
+  message.vision.wall_distance = crowd::wallDistanceOf(wall_distance);
   crowd::takeList(stream, content.agents, crowd::WIRE_SELF);
   crowd::takeNeighbours(stream, content.neighbours);
   crowd::takeList(stream, content.walls, crowd::WIRE_WALL);

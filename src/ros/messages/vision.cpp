@@ -1,6 +1,7 @@
 #include "ros/messages/vision.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/text/numbers.h"
 
@@ -13,19 +14,26 @@ Vision widest(const Vision& a, const Vision& b) {
   const bool must_add_occlusion = (a.occlusion || b.occlusion) && !wide.occlusion;
   const bool is_unlimited = a.max_neighbours == 0 || b.max_neighbours == 0 || must_add_occlusion;
   wide.max_neighbours = is_unlimited ? 0 : std::max(a.max_neighbours, b.max_neighbours);
+  wide.wall_distance = std::max(a.wall_distance, b.wall_distance);
   return wide;
 }
 
 bool covers(const Vision& vision, const Vision& needed) { return areEqual(widest(vision, needed), vision); }
 
 bool areEqual(const Vision& a, const Vision& b) {
-  return a.radius == b.radius && a.max_neighbours == b.max_neighbours && a.occlusion == b.occlusion;
+  return a.radius == b.radius && a.max_neighbours == b.max_neighbours && a.occlusion == b.occlusion &&
+         a.wall_distance == b.wall_distance;
 }
 
 std::string toText(const Vision& vision) {
   return "radius " + toText(vision.radius) + " m, " +
          (vision.max_neighbours == 0 ? "any number of" : "at most " + std::to_string(vision.max_neighbours)) +
-         " neighbours, " + (vision.occlusion ? "with" : "without") + " occlusion";
+         " neighbours, " + (vision.occlusion ? "with" : "without") + " occlusion, " +
+         (std::isinf(vision.wall_distance) ? "all walls" : "walls up to " + toText(vision.wall_distance) + " m");
 }
+
+double wallDistanceField(const Vision& vision) { return std::isinf(vision.wall_distance) ? 0.0 : vision.wall_distance; }
+
+double wallDistanceOf(double field) { return field == 0.0 ? Vision().wall_distance : field; }
 
 }  // namespace crowd

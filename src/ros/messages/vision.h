@@ -21,4 +21,9 @@ bool areEqual(const Vision& a, const Vision& b);
 /// @brief Returns the vision as text for log messages.
 std::string toText(const Vision& vision);
 
+/// @brief The distance to walls as in messages, in which 0 stands for all walls within the radius of vision [m].
+double wallDistanceField(const Vision& vision);
+/// @brief Inverse of wallDistanceField().
+double wallDistanceOf(double field);
+
 }  // namespace crowd

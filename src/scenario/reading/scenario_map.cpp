@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "common/text/numbers.h"
@@ -67,9 +68,29 @@ double readFreeRadius(const YamlMap& map, double largest) {
                 "at least the radius of the largest agent, " + toText(largest) + " m");
 }
 
-}  // namespace
+bool drawsPlaces(const AgentGroup& group) {
+  const auto is_drawn = [](const Region& region) { return !region.isFixed(); };
+  if (group.route) return false;
+  return is_drawn(group.position) || std::any_of(group.goals.begin(), group.goals.end(), is_drawn);
+}
 
-void readScenarioMap(const YamlMap& map, Scenario& scenario) {
+/// Lets agents be drawn where a way connects their places, if they find ways.
+void addReach(Scenario& scenario) {
+  FloorPlan floor;
+  floor.walls = scenario.walls;
+  if (scenario.map_walls) floor.walls.insert(floor.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
+  if (!scenario.way_finding || floor.walls.empty()) return;
+  std::map<double, std::shared_ptr<const FloorReach>> by_radius;
+  for (AgentGroup& group : scenario.agents) {
+    if (!drawsPlaces(group)) continue;
+    std::shared_ptr<const FloorReach>& reach = by_radius[group.radius.high];
+    if (!reach) reach = std::make_shared<const FloorReach>(floor, group.radius.high);
+    group.reach = reach;
+  }
+}
+
+/// Reads the map and, if places are drawn on it, its free space.
+void readMapKeys(const YamlMap& map, Scenario& scenario) {
   const YAML::Node file = map.find("map");
   if (!file) {
     if (usesFreeSpace(scenario)) throwProblem(map.place(), map.node(), "{map: free} needs a map, got none");
@@ -91,6 +112,13 @@ void readScenarioMap(const YamlMap& map, Scenario& scenario) {
   if (scenario.free_space->empty()) {
     throwProblem(map.placeOf("map"), file, name + ": no agent of the scenario fits anywhere on the map");
   }
+}
+
+}  // namespace
+
+void readScenarioMap(const YamlMap& map, Scenario& scenario) {
+  readMapKeys(map, scenario);
+  addReach(scenario);
 }
 
 }  // namespace crowd

@@ -1,0 +1,41 @@
+#include "maps/floor_reach.h"
+
+namespace crowd {
+namespace {
+
+/// Where an agent fits; everywhere if the floor is too large for a grid that shows gaps.
+std::vector<bool> fitsIn(const ClearanceGrid& grid, double clearance) {
+  std::vector<bool> fits(grid.size(), true);
+  if (grid.spacing() > FloorReach::SPACING) return fits;
+  for (ClearanceGrid::Index point = 0; point < grid.size(); ++point) fits[point] = grid[point] >= clearance;
+  return fits;
+}
+
+}  // namespace
+
+FloorReach::FloorReach(const FloorPlan& floor, double radius, const StopRequest& stop)
+    : grid_(floor, SPACING, radius + ROOM + SPACING, stop), components_(grid_, fitsIn(grid_, radius + ROOM)) {}
+
+bool FloorReach::connects(const Vector2& from, const Vector2& to) const {
+  const std::uint32_t start = component(from);
+  const std::uint32_t end = component(to);
+  return start == end || start == GridComponents::NONE || end == GridComponents::NONE;
+}
+
+/// The component at a place or, beside walls, near it. The floor beyond the grid is connected with its edge.
+std::uint32_t FloorReach::component(const Vector2& place) const {
+  const ClearanceGrid::Index point = grid_.nearest(place);
+  if (point == ClearanceGrid::OUTSIDE) return components_.numbers.front();
+  std::uint32_t found = components_.numbers[point];
+  if (found != GridComponents::NONE) return found;
+  double least = 2.0 * SPACING;
+  grid_.forPointsWithin(least, point, [&](ClearanceGrid::Index near) {
+    const double distance = (grid_.place(near) - place).norm();
+    if (components_.numbers[near] == GridComponents::NONE || distance > least) return;
+    least = distance;
+    found = components_.numbers[near];
+  });
+  return found;
+}
+
+}  // namespace crowd

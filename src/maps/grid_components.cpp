@@ -1,0 +1,24 @@
+#include "maps/grid_components.h"
+
+namespace crowd {
+
+GridComponents::GridComponents(const ClearanceGrid& grid, const std::vector<bool>& fits) : numbers(grid.size(), NONE) {
+  using Index = ClearanceGrid::Index;
+  std::vector<Index> found;
+  for (Index seed = 0; seed < grid.size(); ++seed) {
+    if (!fits[seed] || numbers[seed] != NONE) continue;
+    found.assign(1, seed);
+    const auto number = static_cast<std::uint32_t>(sizes.size());
+    numbers[seed] = number;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      grid.forNeighbours(found[i], [&](Index at) {
+        if (!fits[at] || numbers[at] != NONE) return;
+        numbers[at] = number;
+        found.push_back(at);
+      });
+    }
+    sizes.push_back(found.size());
+  }
+}
+
+}  // namespace crowd

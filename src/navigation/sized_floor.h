@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "navigation/mesh_cache.h"
+#include "navigation/walking_floor.h"
+#include "world/world.h"
+
+namespace crowd {
+
+/// @brief The floor of a world for agents of one size, with searches on its meshes. Used by one thread at a time.
+class SizedFloor {
+ public:
+  /// @brief Sizes are radii in steps of this [m], so that a crowd with many different radii needs few meshes.
+  static constexpr double SIZE_STEP = 0.05;
+  /// @brief The size of an agent: its radius, rounded up [m].
+  static double sizeOf(double radius);
+
+  /// @param size of the agents, see sizeOf() [m] @param bounds contain all starts and goals
+  /// @param gates walls of the gates, whether they are closed or not
+  /// @throws InputError if the floor is too large, Stopped if the world's stop request is made
+  SizedFloor(const World& world, double size, const FloorPlan::Bounds& bounds, const std::vector<Segment>& gates);
+
+  /// @brief Searches on the mesh that keeps COMFORTABLE_MARGIN.
+  NavigationMesh::Query& comfortable();
+  /// @brief Searches on the mesh that keeps TIGHT_MARGIN.
+  NavigationMesh::Query& tight();
+  /// @brief Whether a gate is closed.
+  bool hasClosedGates() const { return opened_.has_value(); }
+  /// @brief Searches on the tight mesh with all gates open; hasClosedGates() must be true.
+  /// @throws Stopped if `stop` is made
+  NavigationMesh::Query& open(const StopRequest& stop);
+
+ private:
+  double size_;
+  std::shared_ptr<const NavigationData> data_;
+  std::optional<FloorPlan> opened_;  // with all gates open, if any is closed
+  // Made when they are needed.
+  std::optional<NavigationMesh::Query> comfortable_;
+  std::optional<NavigationMesh::Query> tight_;
+  std::optional<NavigationMesh::Query> open_;
+};
+
+/// @brief Does nothing if ways can be found in a world after a change, for all agents in it and those that the sources
+/// of a scene may create. @throws InputError if its floor is too large
+void requireNavigableFloor(const World& world, const WorldChange& change, const Scene& scene);
+
+}  // namespace crowd
