@@ -17,8 +17,8 @@ class FloorReach {
   /// @param floor with at least one wall or obstacle @param radius of the agents [m] @throws Stopped if `stop` is made
   FloorReach(const FloorPlan& floor, double radius, const StopRequest& stop = {});
 
-  /// @brief Whether two places are connected [m]. A place in a gap that is too narrow is connected with all others, and so
-  /// are all places of a floor of more than 40,000 m2.
+  /// @brief Whether two places are connected [m]. A place in a gap that is too narrow is connected with all others, and
+  /// so are all places of a floor of more than 40,000 m2.
   bool connects(const Vector2& from, const Vector2& to) const;
 
  private:

@@ -57,9 +57,8 @@ class FloorCache {
 std::shared_ptr<const NavigationData> navigationData(const FloorPlan& floor, double radius, const StopRequest& stop) {
   static FloorCache<NavigationData> cache;
   return cache.get(floor, radius, [&] {
-    return NavigationData{
-        NavigationMesh(floor, radius + COMFORTABLE_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop),
-        NavigationMesh(floor, radius + TIGHT_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop)};
+    return NavigationData{NavigationMesh(floor, radius + COMFORTABLE_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop),
+                          NavigationMesh(floor, radius + TIGHT_MARGIN, NavigationMesh::DEFAULT_CELL_SIZE, stop)};
   });
 }
 

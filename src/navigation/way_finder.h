@@ -20,8 +20,8 @@ namespace crowd {
 /// @brief Leads agents round walls and obstacles at rest: an agent whose goal is hidden perceives the next corner of a
 /// way to it instead (World::setWaypoint). Learners and learning are the same as without.
 ///
-/// Ways are found for the size of each agent (SizedFloor). They keep COMFORTABLE_MARGIN from walls where there is room, and
-/// lead round crowds if that saves time (CongestionMap). In narrow places agents take turns (TurnTaking).
+/// Ways are found for the size of each agent (SizedFloor). They keep COMFORTABLE_MARGIN from walls where there is room,
+/// and lead round crowds if that saves time (CongestionMap). In narrow places agents take turns (TurnTaking).
 /// Deterministic; depends only on the world.
 ///
 /// An agent whose goal is behind closed gates walks up to them. One whose goal is out of reach stays, unless it sees

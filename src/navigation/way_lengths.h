@@ -28,8 +28,7 @@ class WayLengths {
     bool operator<(const Way& other) const { return std::tie(kind, length) < std::tie(other.kind, other.length); }
   };
 
-  explicit WayLengths(const Scene& scene)
-      : gates_(gateWalls(scene)), goal_tolerance_(scene.goal_tolerance) {}
+  explicit WayLengths(const Scene& scene) : gates_(gateWalls(scene)), goal_tolerance_(scene.goal_tolerance) {}
 
   /// @brief The shortest way between two places [m]; only if there is none, the shortest one with all gates open.
   /// @param radius of the agent [m]
@@ -55,8 +54,8 @@ class WayLengths {
 
   std::vector<Segment> gates_;
   double goal_tolerance_;
-  std::uint64_t layout_changes_ = 0;  // of the world that the floors belong to
-  FloorPlan::Bounds bounds_;          // of the floors
+  std::uint64_t layout_changes_ = 0;                    // of the world that the floors belong to
+  FloorPlan::Bounds bounds_;                            // of the floors
   std::map<double, std::optional<SizedFloor>> floors_;  // by size; none if there is nothing to walk round
 };
 

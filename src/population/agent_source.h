@@ -20,8 +20,7 @@ class AgentSource {
 
   /// @brief The next agent if it is due and there is a place for it now. Its goals are the description's, drawn; with a
   /// route they are only its own position. The caller adds it to the world before it asks for the next one.
-  std::optional<AgentStart> next(const World& world, const PlacePicker& places,
-                                  const PlacePicker::Reach& can_reach);
+  std::optional<AgentStart> next(const World& world, const PlacePicker& places, const PlacePicker::Reach& can_reach);
   /// @brief Whether all agents have appeared.
   bool isOver() const { return schedule_.isOver(); }
 

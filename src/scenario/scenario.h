@@ -115,7 +115,8 @@ struct Scenario {
 
   /// @brief Creates the scene of one episode; depends only on scenario, seed and episode.
   ///
-  /// Drawn bodies keep DRAWN_GAP from all bodies and walls. At a drawn goal its agent fits, and the goal is not reached
+  /// Drawn bodies keep DRAWN_GAP from all bodies and walls. At a drawn goal its agent fits, with
+  /// way-finding a way connects it with the start if any place of the region is connected, and the goal is not reached
   /// at the start; it does not overlap the goals of other agents if there is enough space.
   /// @throws InputError if fixed bodies overlap, or if no free position is found for a drawn one.
   /// @throws Stopped if `stop` is made

@@ -36,8 +36,6 @@ void Walls::replaceAll(std::vector<Segment> walls) {
   for (std::size_t& id : ids_) id = next_id_++;
 }
 
-void Walls::use(std::vector<Segment> walls) {
-  index_ = WallIndex(std::move(walls), USUAL_REACH);
-}
+void Walls::use(std::vector<Segment> walls) { index_ = WallIndex(std::move(walls), USUAL_REACH); }
 
 }  // namespace crowd

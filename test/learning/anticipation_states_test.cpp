@@ -172,9 +172,8 @@ TEST(AnticipationStates, AcceptsAnyActionSet) {
 
 TEST(AnticipationStates, AgreesWithItsSpec) {
   const std::string spec =
-      "{type: anticipation, vision_radius: 5, wall_distance: 0.8, max_neighbours: 9, reciprocal_times: [1, 2], constant_velocity_times: "
-      "[], static_times: "
-      "[3], admissible_fractions: [0.5], turns: [10], oncoming: []}";
+      "{type: anticipation, vision_radius: 5, wall_distance: 0.8, max_neighbours: 9, reciprocal_times: [1, 2], "
+      "constant_velocity_times: [], static_times: [3], admissible_fractions: [0.5], turns: [10], oncoming: []}";
   const auto made = makeStateSet(YAML::Load(spec), {"file.yaml", 0, "state_set"}, GoalRelativeActions());
   EXPECT_EQ(made->spec(), spec);
   EXPECT_EQ(made->rowCount(), 24U);  // 3 * 2 * 2 * 2

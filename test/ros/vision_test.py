@@ -67,7 +67,7 @@ class WidestVisionTest(VisionTestCase):
         self.perceptions.wait_connected()
         self.answers = Answers(self)
 
-    def report(self, learner, radius, max_neighbours=0, occlusion=False):
+    def report(self, learner, radius, max_neighbours=0, occlusion=False, wall_distance=0.0):
         """Publishes the status of a learner."""
         if learner not in self.statuses:
             # rospy drops the oldest of many messages at once, unless the queue is unlimited.
@@ -75,7 +75,7 @@ class WidestVisionTest(VisionTestCase):
             self.addCleanup(self.statuses[learner].unregister)
             support.wait_for(lambda: self.statuses[learner].get_num_connections() > 0, 'the controller to subscribe')
         self.statuses[learner].publish(LearnerStatus(node=learner, vision_radius=radius, occlusion=occlusion,
-                                                     max_neighbours=max_neighbours))
+                                                     wall_distance=wall_distance, max_neighbours=max_neighbours))
 
     def test_default_before_any_report(self):
         self.start_row()
@@ -92,6 +92,23 @@ class WidestVisionTest(VisionTestCase):
         self.expect(5.0, 4, False)
         self.report('/b', 5.0)
         self.expect(5.0, 0, False)
+
+    def test_largest_distance_to_walls(self):
+        self.start_row()
+        self.report('/a', 6.0, wall_distance=0.1)
+        self.assertEqual([agent.wall_count for agent in self.expect_walls(0.1).agents], [0, 0, 0])
+        self.report('/b', 6.0, wall_distance=0.2)
+        self.expect_walls(0.2)
+        self.report('/b', 6.0)
+        self.assertEqual([agent.wall_count for agent in self.expect_walls(0.0).agents], [1, 1, 1])
+
+    def expect_walls(self, distance):
+        """Walks until the controller perceives walls up to a distance; 0: all. Returns the perceptions."""
+        def is_used():
+            message = self.perceived()
+            return message if message.wall_distance == distance else None
+
+        return support.wait_for(is_used, f'walls up to {distance} m')
 
     def test_occlusion_if_all_learners_request_it_with_the_same_radius(self):
         self.start_row()

@@ -208,7 +208,8 @@ TEST(Scenario, DrawnGoalsKeepClearOfEachOther) {
 
 /// A closed room covers half of the box.
 const char* const CLOSED_ROOM =
-    "agents: [{count: 20, position: {box: [[-5, -5], [3, 5]]}, goal: {box: [[-5, -5], [3, 5]]}, speed: 1, radius: 0.2}]\n"
+    "agents: [{count: 20, position: {box: [[-5, -5], [3, 5]]}, goal: {box: [[-5, -5], [3, 5]]}, speed: 1, radius: "
+    "0.2}]\n"
     "walls: [[[-1, -6], [3, -6]], [[3, -6], [3, 6]], [[3, 6], [-1, 6]], [[-1, 6], [-1, -6]]]\n";
 
 TEST(Scenario, StartsAndGoalsAreDrawnWhereAWayConnectsThem) {

@@ -92,7 +92,7 @@ class ProgramTest:
         (1, ['circel6', '--output', 'a.gif'], ["no scenario 'circel6', did you mean 'circle6'?"]),
         (1, ['circle6', '--output', 'none/a.gif'], ['none/a.gif: cannot be written: there is no folder /']),
         (1, ['circle6', '--output', 'a.gif', '--view', '100', '100', '110', '110'], ['--view: nothing of the scene']),
-        (1, ['circle6', '--output', 'a.gif', '--speed', '1000'], ['--speed: the film would have one frame']),
+        (1, ['circle6', '--output', 'a.gif', '--speed', '100000'], ['--speed: the film would have one frame']),
         (1, ['circle6', '--output', 'a.webp', '--size', '4000', '--speed', '1'], ['.mp4', 'GB of memory']),
         (2, ['--output', 'a.gif', '--trajectories', 'a.csv', '--seed', '3'], ['--seed: a recording is not walked']),
         (2, ['--output', 'a.gif', '--trajectories', 'a.csv', '--q-table', 'a'], ['--q-table: a recording is not']),

@@ -136,6 +136,25 @@ TEST(PerceptionWalls, AreInTheFrameOfTheAgentAndWithinItsVision) {
   EXPECT_EQ(perceive(scene({north}, {}, walls), {7.2, 0}).agents[0].wall_count, 3U);
 }
 
+/// Walls ahead of agents of 0.25 m: up to the distance from the rim, or as far as a step reaches.
+TEST(PerceptionWalls, AreWithinTheWallDistance) {
+  Vision vision;
+  vision.wall_distance = 0.6;
+  const auto count = [&](double distance, double speed) {
+    AgentStart agent = wanderer({0.0, 0.0});
+    agent.radius = 0.25;
+    agent.max_speed = speed;
+    const Scene ahead = scenes::halfSeconds(scene({agent}, {}, {{{distance, -9.0}, {distance, 9.0}}}));
+    return perceive(ahead, vision).agents[0].wall_count;
+  };
+  EXPECT_EQ(count(0.84, 1.0), 1U);
+  EXPECT_EQ(count(0.86, 1.0), 0U);
+  EXPECT_EQ(count(1.24, 2.0), 1U);  // a step of 1 m
+  EXPECT_EQ(count(1.26, 2.0), 0U);
+  vision.radius = 0.8;
+  EXPECT_EQ(count(0.84, 1.0), 0U);
+}
+
 TEST(PerceptionList, SetsTheTimeAndReplacesOldPerceptions) {
   World world(scenes::halfSeconds(scene({wanderer({0.0, 0.0}), wanderer({1.0, 0.0})})));
   Perceptions perceptions = perceive(scenes::randomScene(1));

@@ -65,7 +65,8 @@ void AnticipationStates::findRows(const PerceptionBatch& batch, const MoveBlock*
 
 std::string AnticipationStates::spec() const {
   return std::string("{type: ") + TYPE + ", vision_radius: " + toText(parameters_.vision_radius) +
-         ", wall_distance: " + toText(parameters_.wall_distance) + ", max_neighbours: " + std::to_string(parameters_.max_neighbours) +
+         ", wall_distance: " + toText(parameters_.wall_distance) +
+         ", max_neighbours: " + std::to_string(parameters_.max_neighbours) +
          ", reciprocal_times: " + toText(parameters_.reciprocal_times) +
          ", constant_velocity_times: " + toText(parameters_.constant_velocity_times) +
          ", static_times: " + toText(parameters_.static_times) +
