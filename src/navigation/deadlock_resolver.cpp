@@ -172,8 +172,8 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
   const bool forms_arch = !is_opposite && gap < TOUCH && isStuck(own, time) && isStuck(its, time);
   if (own.cannot_walk_back != its.cannot_walk_back) return its.cannot_walk_back && (is_opposite || forms_arch);
   if (is_opposite) {
-    if (other.yielding) return false;
-    return walksBack(its) || priorityDirection(time).dot(its.course - own.course) > 0.0;
+    if (walksBack(its)) return true;
+    return !other.yielding && priorityDirection(time).dot(its.course - own.course) > 0.0;
   }
   return forms_arch && ahead > 0.0 && !walksBack(its) && its.remaining < own.remaining;
 }

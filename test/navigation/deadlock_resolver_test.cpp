@@ -81,6 +81,9 @@ TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatItBlocks) {
   EXPECT_TRUE(crowd.givesWay(1));
   EXPECT_FALSE(crowd.world.agents()[1].yielding);
   EXPECT_FALSE(crowd.givesWay(0));
+  crowd.world.walkingAgent(1).yielding = true;  // TurnTaking lets it wait in each tick
+  crowd.stand();
+  EXPECT_TRUE(crowd.givesWay(0));  // makes room for agent 1, which walks back
 }
 
 TEST(DeadlockResolver, OneOfTwoGivesWay) {
