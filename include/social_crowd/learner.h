@@ -26,7 +26,8 @@ class Learner {
   ~Learner();
 
   /// @brief Decides for each agent that has not arrived, unless `last` is set. Call it once in each tick. Neighbours
-  /// beyond the limits of QTable::vision() are ignored; with its occlusion, hidden ones must not be among them.
+  /// beyond the limits of QTable::vision() are ignored; with its occlusion, hidden ones must not be among
+  /// them. Walls beyond its wall_distance must not be among the walls.
   /// @param perceptions any agents; a change of `episode`, or a gap in `tick`, begins anew
   /// @return an action for each of these agents @throws InputError if a number is not finite, or the neighbours of an
   /// agent are not sorted, nearest rim first

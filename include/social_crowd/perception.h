@@ -31,7 +31,7 @@ struct Vision {
   double radius = 6.0;               ///< maximum distance from the agent's centre to the rim of a neighbour [m]
   std::uint32_t max_neighbours = 0;  ///< only the nearest are perceived; 0: no limit
   bool occlusion = false;            ///< nearer neighbours and walls hide others
-  double wall_distance = std::numeric_limits<double>::infinity();  ///< maximum distance from its rim to a wall [m]
+  double wall_distance = std::numeric_limits<double>::infinity();  ///< from its rim to a wall [m]
 };
 
 /// @brief Kind of a perceived body. UNYIELDED_ROBOT: a robot that agents see, but do not yield to.

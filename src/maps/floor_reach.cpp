@@ -3,15 +3,20 @@
 namespace crowd {
 namespace {
 
-/// Where an agent fits; everywhere if the floor is too large for a grid that shows gaps.
+/// Where an agent fits.
 std::vector<bool> fitsIn(const ClearanceGrid& grid, double clearance) {
-  std::vector<bool> fits(grid.size(), true);
-  if (grid.spacing() > FloorReach::SPACING) return fits;
+  std::vector<bool> fits(grid.size());
   for (ClearanceGrid::Index point = 0; point < grid.size(); ++point) fits[point] = grid[point] >= clearance;
   return fits;
 }
 
 }  // namespace
+
+bool FloorReach::isSmall(const FloorPlan& floor) {
+  const FloorPlan::Bounds bounds = floor.checkedBounds();
+  const Vector2 points = (bounds.high - bounds.low) / SPACING;
+  return points.x() * points.y() < static_cast<double>(ClearanceGrid::MAX_POINTS);
+}
 
 FloorReach::FloorReach(const FloorPlan& floor, double radius, const StopRequest& stop)
     : grid_(floor, SPACING, radius + ROOM + SPACING, stop), components_(grid_, fitsIn(grid_, radius + ROOM)) {}

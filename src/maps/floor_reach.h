@@ -14,7 +14,11 @@ class FloorReach {
   /// @brief Free room around the body of an agent, with which gaps are as wide as for way-finding [m].
   static constexpr double ROOM = 0.045;
 
-  /// @param floor with at least one wall or obstacle @param radius of the agents [m] @throws Stopped if `stop` is made
+  /// @brief Whether a floor is small enough for the grid: up to about 40,000 m2.
+  static bool isSmall(const FloorPlan& floor);
+
+  /// @param floor with at least one wall or obstacle, small @param radius of the agents [m]
+  /// @throws Stopped if `stop` is made
   FloorReach(const FloorPlan& floor, double radius, const StopRequest& stop = {});
 
   /// @brief Whether two places are connected [m]. A place in a gap that is too narrow is connected with all others, and

@@ -1,6 +1,5 @@
 #include "navigation/sized_floor.h"
 
-#include <cmath>
 #include <set>
 #include <utility>
 
@@ -11,24 +10,18 @@ namespace {
 
 std::set<double> sizesOf(const World& world, const WorldChange& change, const Scene& scene) {
   std::set<double> sizes;
-  const auto add = [&](double radius) { sizes.insert(SizedFloor::sizeOf(radius)); };
+  const auto add = [&](double radius) { sizes.insert(sizeOf(radius)); };
   for (const Agent& agent : world.agents()) add(agent.radius);
   if (change.agent != nullptr) add(change.agent->radius);
   if (!scene.population) return sizes;
   for (const SourceDescription& source : scene.population->sources) {
-    const auto& radius = source.agents.radius;
-    for (double some = radius.low; some < radius.high; some += SizedFloor::SIZE_STEP) add(some);
-    add(radius.high);
+    add(source.agents.radius.low);
+    add(source.agents.radius.high);
   }
   return sizes;
 }
 
 }  // namespace
-
-double SizedFloor::sizeOf(double radius) {
-  constexpr double ROUNDING = 1e-6;  // of radii that are multiples of the step [steps]
-  return SIZE_STEP * std::ceil(radius / SIZE_STEP - ROUNDING);
-}
 
 SizedFloor::SizedFloor(const World& world, double size, const FloorPlan::Bounds& bounds,
                        const std::vector<Segment>& gates)
@@ -50,8 +43,12 @@ NavigationMesh::Query& SizedFloor::open(const StopRequest& stop) {
 }
 
 void requireNavigableFloor(const World& world, const WorldChange& change, const Scene& scene) {
-  for (const double size : sizesOf(world, change, scene)) {
-    const FloorPlan floor = walkingFloor(world, size, change);
+  const std::set<double> sizes = sizesOf(world, change, scene);
+  if (sizes.empty()) return;
+  const std::optional<FloorPlan::Bounds> bounds = walkingFloor(world, *sizes.rbegin(), change).bounds;
+  for (const double size : sizes) {
+    FloorPlan floor = walkingFloor(world, size, change);
+    floor.bounds = bounds;
     if (hasBarriers(floor)) navigationData(floor, size, world.stopRequest());
   }
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "maps/agent_size.h"
 #include "navigation/mesh_cache.h"
 #include "navigation/walking_floor.h"
 #include "world/world.h"
@@ -13,11 +14,6 @@ namespace crowd {
 /// @brief The floor of a world for agents of one size, with searches on its meshes. Used by one thread at a time.
 class SizedFloor {
  public:
-  /// @brief Sizes are radii in steps of this [m], so that a crowd with many different radii needs few meshes.
-  static constexpr double SIZE_STEP = 0.05;
-  /// @brief The size of an agent: its radius, rounded up [m].
-  static double sizeOf(double radius);
-
   /// @param size of the agents, see sizeOf() [m] @param bounds contain all starts and goals
   /// @param gates walls of the gates, whether they are closed or not
   /// @throws InputError if the floor is too large, Stopped if the world's stop request is made
@@ -43,8 +39,8 @@ class SizedFloor {
   std::optional<NavigationMesh::Query> open_;
 };
 
-/// @brief Does nothing if ways can be found in a world after a change, for all agents in it and those that the sources
-/// of a scene may create. @throws InputError if its floor is too large
+/// @brief Does nothing if ways can be found in a world after a change, for all agents in it, and the smallest and
+/// the largest ones that the sources of a scene may create. @throws InputError if its floor is too large
 void requireNavigableFloor(const World& world, const WorldChange& change, const Scene& scene);
 
 }  // namespace crowd

@@ -30,7 +30,7 @@ constexpr double CROWD_RADIUS = 0.75;   // of the crowd that another way leads r
 void WayFinder::update(World& world) {
   const auto does_not_fit = [this](const Agent& agent) {
     const bool is_inside = contains(bounds_, agent.pose.position) && contains(bounds_, agent.goal());
-    return agent.isWalking() && (agent.radius > radius_ || (is_needed_ && !is_inside));
+    return agent.isWalking() && (sizeOf(agent.radius) > radius_ || (is_needed_ && !is_inside));
   };
   const bool is_outgrown = std::any_of(world.agents().begin(), world.agents().end(), does_not_fit);
   if (is_outgrown || world.layoutChanges() != layout_changes_) adoptLayout(world);
@@ -54,7 +54,7 @@ void WayFinder::update(World& world) {
 
 void WayFinder::adoptLayout(World& world) {
   layout_changes_ = world.layoutChanges();
-  radius_ = SizedFloor::sizeOf(std::max(least_radius_, largestRadius(world)));
+  radius_ = sizeOf(std::max(least_radius_, largestRadius(world)));
   const FloorPlan floor = walkingFloor(world, radius_);
   const bool was_needed = std::exchange(is_needed_, radius_ > 0.0 && hasBarriers(floor));
   ways_.clear();
@@ -67,7 +67,7 @@ void WayFinder::adoptLayout(World& world) {
 }
 
 SizedFloor& WayFinder::floorOf(const Agent& agent, const World& world) {
-  const double size = SizedFloor::sizeOf(agent.radius);
+  const double size = sizeOf(agent.radius);
   const auto found = floors_.find(size);
   if (found != floors_.end()) return found->second;
   return floors_.emplace(size, SizedFloor(world, size, bounds_, gates_)).first->second;

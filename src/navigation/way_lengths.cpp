@@ -25,7 +25,7 @@ std::string coverOf(const World& world, const Vector2& place, double distance) {
 }  // namespace
 
 SizedFloor* WayLengths::floorFor(const World& world, const Vector2& from, const Vector2& to, double radius) {
-  const double size = SizedFloor::sizeOf(radius);
+  const double size = sizeOf(radius);
   if (layout_changes_ != world.layoutChanges() || !contains(bounds_, from) || !contains(bounds_, to)) floors_.clear();
   const auto found = floors_.find(size);
   if (found != floors_.end()) return found->second ? &*found->second : nullptr;
@@ -67,7 +67,7 @@ std::string WayLengths::problemOf(const World& world, const Vector2& from, const
   if (find(world, from, goal, radius)) return "";
   if (!floorFor(world, from, goal, radius)->tight().component(from)) return "";
   return "the goal " + placeText(goal) + " cannot be reached from " + placeText(from) + " with a radius of " +
-         toText(radius) + " m";
+         toText(sizeOf(radius)) + " m";
 }
 
 void WayLengths::requireWay(const std::string& who, const World& world, const Vector2& from, const Vector2& goal,

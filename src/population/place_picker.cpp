@@ -34,14 +34,16 @@ Vector2 PlacePicker::drawGoal(const Region& region, const Vector2& from, double 
                               const World& world, const Reach& can_reach) const {
   if (region.isFixed()) return region.first;
   const std::uint32_t home = free_space_ ? componentNear(from, radius) : FreeSpace::NONE;
+  std::optional<Vector2> fitting;  // the first one, although out of reach
   Vector2 goal = from;
   for (int tries = 0; tries < MAX_TRIES; ++tries) {
     goal = region.draw(random, free_space_.get());
     if ((goal - from).norm() <= goal_tolerance_ || !fits(goal, radius, world)) continue;
+    if (!fitting) fitting = goal;
     const bool is_reachable = home == FreeSpace::NONE || free_space_->component(goal) == home;
     if (is_reachable && can_reach(from, goal, radius)) return goal;
   }
-  return goal;
+  return fitting.value_or(goal);
 }
 
 std::optional<Vector2> PlacePicker::drawStart(const Region& region, double radius, KeyedRandom random,

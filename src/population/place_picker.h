@@ -25,7 +25,7 @@ class PlacePicker {
   /// map.
   bool fits(const Vector2& place, double radius, const World& world) const;
   /// @brief Draws a goal in a region: a place where the agent fits, where it has not arrived yet, and that it can
-  /// reach. Returns the last draw if MAX_TRIES draws find none.
+  /// reach. If MAX_TRIES draws find none, the first one where it fits; if there is none either, the last draw.
   /// @param from where the agent is [m] @param radius of the agent [m]
   Vector2 drawGoal(const Region& region, const Vector2& from, double radius, KeyedRandom random, const World& world,
                    const Reach& can_reach) const;

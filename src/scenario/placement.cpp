@@ -82,11 +82,16 @@ class Placement {
   Obstacle drawObstacle(const ObstacleGroup& group, const Label& label);
   ObstaclePath drawPath(const ObstacleGroup& group, const Vector2& start, const Label& label);
 
+  /// What is demanded of goals that are drawn, as long as there is room.
+  struct Demands {
+    bool separate = true;   // from those of other agents
+    bool connected = true;  // with the start, by a way
+  };
   void placeFixedAgents();
   void completeAgents();
-  void completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, bool& separate_goals);
+  void completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, Demands& demands);
   bool areConnected(const Vector2& from, const Vector2& to) const;
-  bool drawGoals(const AgentGroup& group, AgentStart& agent, bool separate, bool connected);
+  bool drawGoals(const AgentGroup& group, AgentStart& agent, const Demands& demands, int& unconnected);
   void requireWay(const AgentGroup& group, const Label& label) const;
 
   const Scenario& scenario_;
@@ -203,11 +208,11 @@ void Placement::placeFixedAgents() {
 }
 
 void Placement::completeAgents() {
-  bool separate_goals = true;
+  Demands demands;
   forEachBody("agents", scenario_.agents, stop_, [&](const AgentGroup& group, const Label& label, std::size_t index) {
-    separate_goals = separate_goals || label.number == 1;
+    if (label.number == 1) demands = Demands();
     AgentStart& agent = scene_.agents[index];
-    completeAgent(group, label, agent, separate_goals);
+    completeAgent(group, label, agent, demands);
     agent.max_speed = group.max_speed.draw(random_);
     agent.route = group.route;
     agent.faces_goal = group.route && !group.heading;
@@ -233,11 +238,13 @@ void Placement::requireWay(const AgentGroup& group, const Label& label) const {
                   toText(scenario_.goal_tolerance) + " m)");
 }
 
-void Placement::completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, bool& separate_goals) {
+void Placement::completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, Demands& demands) {
   requireWay(group, label);
   const bool placed = group.position.isFixed();
+  int unconnected = 0;  // tries
   for (int tries = 0; tries < MAX_TRIES; ++tries) {
-    separate_goals = separate_goals && tries < TRIES_FOR_SEPARATE_GOALS;
+    demands.connected = demands.connected && unconnected < MAX_TRIES / 2;
+    demands.separate = demands.separate && tries - unconnected < TRIES_FOR_SEPARATE_GOALS;
     if (!placed) {
       agent.position = group.position.draw(random_, scene_.free_space.get());
       agent.radius = group.radius.draw(random_);
@@ -245,7 +252,7 @@ void Placement::completeAgent(const AgentGroup& group, const Label& label, Agent
         continue;
       }
     }
-    if (!drawGoals(group, agent, separate_goals, tries < MAX_TRIES / 2)) {
+    if (!drawGoals(group, agent, demands, unconnected)) {
       continue;
     }
     if (!placed) {
@@ -265,7 +272,7 @@ bool Placement::areConnected(const Vector2& from, const Vector2& to) const {
   return component != FreeSpace::NONE && component == scene_.free_space->component(to);
 }
 
-bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separate, bool connected) {
+bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, const Demands& demands, int& unconnected) {
   agent.goals.clear();
   const bool is_anywhere = group.position.kind == Region::Kind::FREE;
   if (group.route && is_anywhere) {
@@ -283,10 +290,15 @@ bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, bool separ
     }
     const bool anywhere = drawn && !group.opposite && group.goals[i].kind == Region::Kind::FREE;
     if ((anywhere || is_anywhere) && !areConnected(from, goal)) return false;
-    if (drawn && (!placed_.canStandAt(goal, agent.radius) || (separate && placed_.isNearGoal(goal, agent.radius)))) {
+    const bool needs_way = demands.connected && group.reach && (drawn || from_drawn);
+    if (needs_way && !group.reach->connects(from, goal)) {
+      ++unconnected;
       return false;
     }
-    if (connected && group.reach && (drawn || from_drawn) && !group.reach->connects(from, goal)) return false;
+    const bool is_near_goal = demands.separate && placed_.isNearGoal(goal, agent.radius);
+    if (drawn && (!placed_.canStandAt(goal, agent.radius) || is_near_goal)) {
+      return false;
+    }
     agent.goals.push_back(goal);
     from = goal;
     from_drawn = drawn;

@@ -99,11 +99,12 @@ TEST(Reach, WaysAreForTheSizeOfEachAgent) {
   EXPECT_LT(length(RADIUS), 4.5);
 }
 
-TEST(SizedFloor, SizesAreRadiiRoundedUp) {
-  EXPECT_DOUBLE_EQ(SizedFloor::sizeOf(0.2), 0.2);
-  EXPECT_DOUBLE_EQ(SizedFloor::sizeOf(0.201), 0.25);
-  EXPECT_DOUBLE_EQ(SizedFloor::sizeOf(0.3), 0.3);
-  EXPECT_DOUBLE_EQ(SizedFloor::sizeOf(0.01), 0.05);
+TEST(AgentSize, IsTheRadiusRoundedUp) {
+  EXPECT_DOUBLE_EQ(sizeOf(0.2), 0.2);
+  EXPECT_DOUBLE_EQ(sizeOf(0.2F), 0.2);  // slightly above
+  EXPECT_DOUBLE_EQ(sizeOf(0.201), 0.25);
+  EXPECT_DOUBLE_EQ(sizeOf(0.3), 0.3);
+  EXPECT_DOUBLE_EQ(sizeOf(0.01), 0.05);
 }
 
 TEST(Reach, RefusedChangesChangeNothing) {

@@ -63,6 +63,14 @@ TEST(Population, PlacesOfRoutesAreDrawnWhereAWayLeads) {
   EXPECT_GT(episode.result().agents.at(0).waypoints, 20U);
 }
 
+TEST(Population, PlacesOutOfReachAreDrawnIfThereAreNoOthers) {
+  Episode episode = episodeOf(std::string("agents: [{position: [-4, 0], route: tour, speed: 2, radius: 0.2}]\n"
+                                          "routes: {tour: {waypoints: [{place: {box: [[-1.1, -5], [3, 5]]}}]}}\n") +
+                              CLOSED_ROOM);
+  const Agent& agent = episode.world().agents()[0];
+  EXPECT_FALSE(episode.world().walls().index().isAnyWithin(agent.goal(), agent.radius - 1e-6));
+}
+
 TEST(Population, GoalsOfSourcesAreDrawnWhereAWayLeads) {
   Episode episode = episodeOf(std::string("agents: []\nsources: [{area: {box: [[-5, -5], [-2, 5]]}, rate: 2, goal: ") +
                                   PLACES + ", speed: 1, radius: [0.2, 0.3]}]\n" + CLOSED_ROOM,

@@ -1,11 +1,16 @@
 #include "ros/messages/vision.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "common/text/numbers.h"
 
 namespace crowd {
+namespace {
+
+constexpr double ALL_WALLS = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 Vision widest(const Vision& a, const Vision& b) {
   Vision wide;
@@ -29,11 +34,13 @@ std::string toText(const Vision& vision) {
   return "radius " + toText(vision.radius) + " m, " +
          (vision.max_neighbours == 0 ? "any number of" : "at most " + std::to_string(vision.max_neighbours)) +
          " neighbours, " + (vision.occlusion ? "with" : "without") + " occlusion, " +
-         (std::isinf(vision.wall_distance) ? "all walls" : "walls up to " + toText(vision.wall_distance) + " m");
+         (vision.wall_distance == ALL_WALLS ? "all walls" : "walls up to " + toText(vision.wall_distance) + " m");
 }
 
-double wallDistanceField(const Vision& vision) { return std::isinf(vision.wall_distance) ? 0.0 : vision.wall_distance; }
+double wallDistanceField(const Vision& vision) {
+  return vision.wall_distance == ALL_WALLS ? 0.0 : vision.wall_distance;
+}
 
-double wallDistanceOf(double field) { return field == 0.0 ? Vision().wall_distance : field; }
+double wallDistanceOf(double field) { return field == 0.0 ? ALL_WALLS : field; }
 
 }  // namespace crowd

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "common/text/numbers.h"
+#include "maps/agent_size.h"
 #include "maps/map_file.h"
 #include "maps/map_walls.h"
 #include "scenario/population_spec.h"
@@ -79,12 +80,13 @@ void addReach(Scenario& scenario) {
   FloorPlan floor;
   floor.walls = scenario.walls;
   if (scenario.map_walls) floor.walls.insert(floor.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
-  if (!scenario.way_finding || floor.walls.empty()) return;
-  std::map<double, std::shared_ptr<const FloorReach>> by_radius;
+  if (!scenario.way_finding || floor.walls.empty() || !FloorReach::isSmall(floor)) return;
+  std::map<double, std::shared_ptr<const FloorReach>> by_size;
   for (AgentGroup& group : scenario.agents) {
     if (!drawsPlaces(group)) continue;
-    std::shared_ptr<const FloorReach>& reach = by_radius[group.radius.high];
-    if (!reach) reach = std::make_shared<const FloorReach>(floor, group.radius.high);
+    const double size = sizeOf(group.radius.high);
+    std::shared_ptr<const FloorReach>& reach = by_size[size];
+    if (!reach) reach = std::make_shared<const FloorReach>(floor, size);
     group.reach = reach;
   }
 }
