@@ -46,8 +46,8 @@ class StateSet {
   virtual Row mirrored(Row row) const = 0;
   /// @brief Maximum distance from the agent's centre to the rim of a neighbour or a wall that the rows depend on [m].
   virtual double visionRadius() const = 0;
-  /// @brief Maximum distance from the agent's rim to the walls in a perception [m]. Limits the perception as a whole, as
-  /// maxNeighbours() does, but the learner does not truncate walls.
+  /// @brief Maximum distance from the agent's rim to the walls in a perception [m]. Limits the perception as a whole,
+  /// as maxNeighbours() does, but the learner does not truncate walls.
   virtual double wallDistance() const { return std::numeric_limits<double>::infinity(); }
   /// @brief Maximum number of neighbours in a perception, the nearest ones; 0: no limit.
   ///
