@@ -25,12 +25,12 @@ void requireSmallTable(const YamlMap& map, const Model& model) {
 
 Vision Model::vision() const {
   Vision vision;
-  // Rounding in the perception must not drop bodies and walls exactly at the limit of the state set.
+  // Rounding in the perception must not drop bodies exactly at the limit of the state set.
   constexpr double MARGIN = 1e-6;  // [m]
   vision.radius = state_set->visionRadius() + MARGIN;
   vision.occlusion = occlusion;
   vision.max_neighbours = state_set->maxNeighbours();
-  if (!occlusion) vision.wall_distance = state_set->wallDistance() + MARGIN;  // walls farther away hide others, too
+  if (!occlusion) vision.wall_distance = state_set->wallDistance();  // walls farther away hide others, too
   return vision;
 }
 

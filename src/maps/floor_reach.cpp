@@ -19,7 +19,9 @@ bool FloorReach::isSmall(const FloorPlan& floor) {
 }
 
 FloorReach::FloorReach(const FloorPlan& floor, double radius, const StopRequest& stop)
-    : grid_(floor, SPACING, radius + ROOM + SPACING, stop), components_(grid_, fitsIn(grid_, radius + ROOM)) {}
+    : search_distance_(radius + ROOM + SPACING),
+      grid_(floor, SPACING, search_distance_, stop),
+      components_(grid_, fitsIn(grid_, radius + ROOM)) {}
 
 bool FloorReach::connects(const Vector2& from, const Vector2& to) const {
   const std::uint32_t start = component(from);
@@ -33,7 +35,7 @@ std::uint32_t FloorReach::component(const Vector2& place) const {
   if (point == ClearanceGrid::OUTSIDE) return components_.numbers.front();
   std::uint32_t found = components_.numbers[point];
   if (found != GridComponents::NONE) return found;
-  double least = 2.0 * SPACING;
+  double least = search_distance_;  // the nearest one is on the same side of a wall
   grid_.forPointsWithin(least, point, [&](ClearanceGrid::Index near) {
     const double distance = (grid_.place(near) - place).norm();
     if (components_.numbers[near] == GridComponents::NONE || distance > least) return;

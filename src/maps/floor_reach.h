@@ -28,6 +28,7 @@ class FloorReach {
  private:
   std::uint32_t component(const Vector2& place) const;
 
+  double search_distance_;  // for a place where an agent fits [m]
   ClearanceGrid grid_;
   GridComponents components_;
 };

@@ -16,8 +16,8 @@ TEST(FloorReach, AClosedRoomIsConnectedWithNothing) {
   EXPECT_FALSE(reach.connects({1.0, 1.0}, {-1.0, 1.0}));
   EXPECT_FALSE(reach.connects({500.0, 1.0}, {1.0, 1.0}));  // far beyond the grid
   EXPECT_TRUE(reach.connects({500.0, 1.0}, {-1.0, 1.0}));
-  EXPECT_FALSE(reach.connects({0.2, 1.0}, {-1.0, 1.0}));  // touches the wall
-  EXPECT_TRUE(reach.connects({0.0, 1.0}, {1.0, 1.0}));    // in the wall: unknown
+  EXPECT_FALSE(reach.connects({0.2, 1.0}, {-1.0, 1.0}));   // touches the wall
+  EXPECT_FALSE(reach.connects({0.05, 1.0}, {-1.0, 1.0}));  // a smaller agent at the wall
 }
 
 /// A door is passed if it is wider than the body and 0.09 m, to within a cell of 0.05 m.
