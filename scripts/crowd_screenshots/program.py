@@ -47,8 +47,9 @@ class Desk:
 
     def __enter__(self):
         try:
-            screen = subprocess.Popen(['Xvfb', '-displayfd', '1', '-screen', '0', SIZE], stdout=subprocess.PIPE,
-                                      stderr=subprocess.DEVNULL)
+            # Without -noreset it starts anew whenever the last client leaves, and refuses clients meanwhile.
+            screen = subprocess.Popen(['Xvfb', '-displayfd', '1', '-noreset', '-screen', '0', SIZE],
+                                      stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
             self.processes.append(screen)
             display = ':' + screen.stdout.readline().decode().strip()
             self.environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE='1',

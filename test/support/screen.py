@@ -13,7 +13,8 @@ class Screen:
 
     def __init__(self, size=SIZE):
         read, write = os.pipe()
-        self.process = subprocess.Popen(['Xvfb', '-displayfd', str(write), '-screen', '0', size],
+        # Without -noreset it starts anew whenever the last client leaves, and refuses clients meanwhile.
+        self.process = subprocess.Popen(['Xvfb', '-displayfd', str(write), '-noreset', '-screen', '0', size],
                                         pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as displays:
