@@ -44,7 +44,7 @@ class FloorCache {
  private:
   struct Entry {
     FloorPlan floor;
-    double radius;
+    double radius = 0.0;
     std::shared_ptr<const Data> data;
   };
 
