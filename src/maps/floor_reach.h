@@ -11,7 +11,8 @@ namespace crowd {
 class FloorReach {
  public:
   static constexpr double SPACING = 0.05;  ///< of the grid [m]
-  /// @brief Free room around the body of an agent, with which gaps are as wide as for way-finding [m].
+  /// @brief Free room around the body of an agent, with which gaps are as wide as for way-finding: TIGHT_MARGIN of the
+  /// mesh, and half a cell [m].
   static constexpr double ROOM = 0.045;
 
   /// @brief Whether a floor is small enough for the grid: up to about 40,000 m2.
@@ -21,8 +22,7 @@ class FloorReach {
   /// @throws Stopped if `stop` is made
   FloorReach(const FloorPlan& floor, double radius, const StopRequest& stop = {});
 
-  /// @brief Whether two places are connected [m]. A place in a gap that is too narrow is connected with all others, and
-  /// so are all places of a floor of more than 40,000 m2.
+  /// @brief Whether two places are connected [m]. A place in a gap that is too narrow is connected with all others.
   bool connects(const Vector2& from, const Vector2& to) const;
 
  private:

@@ -23,12 +23,8 @@ std::set<double> sizesOf(const World& world, const WorldChange& change, const Sc
 
 }  // namespace
 
-SizedFloor::SizedFloor(const World& world, double size, const FloorPlan::Bounds& bounds,
-                       const std::vector<Segment>& gates)
-    : size_(size) {
-  FloorPlan floor = walkingFloor(world, size);
-  floor.bounds = bounds;
-  data_ = navigationData(floor, size, world.stopRequest());
+SizedFloor::SizedFloor(FloorPlan floor, double size, const std::vector<Segment>& gates, const StopRequest& stop)
+    : size_(size), data_(navigationData(floor, size, stop)) {
   if (openGates(gates, floor)) opened_ = std::move(floor);
 }
 

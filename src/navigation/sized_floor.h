@@ -14,10 +14,10 @@ namespace crowd {
 /// @brief The floor of a world for agents of one size, with searches on its meshes. Used by one thread at a time.
 class SizedFloor {
  public:
-  /// @param size of the agents, see sizeOf() [m] @param bounds contain all starts and goals
-  /// @param gates walls of the gates, whether they are closed or not
-  /// @throws InputError if the floor is too large, Stopped if the world's stop request is made
-  SizedFloor(const World& world, double size, const FloorPlan::Bounds& bounds, const std::vector<Segment>& gates);
+  /// @param floor of agents of this size (walkingFloor()); its bounds contain all starts and goals
+  /// @param size see sizeOf() [m] @param gates walls of the gates, whether they are closed or not
+  /// @throws InputError if the floor is too large, Stopped if `stop` is made
+  SizedFloor(FloorPlan floor, double size, const std::vector<Segment>& gates, const StopRequest& stop);
 
   /// @brief Searches on the mesh that keeps COMFORTABLE_MARGIN.
   NavigationMesh::Query& comfortable();

@@ -70,7 +70,9 @@ SizedFloor& WayFinder::floorOf(const Agent& agent, const World& world) {
   const double size = sizeOf(agent.radius);
   const auto found = floors_.find(size);
   if (found != floors_.end()) return found->second;
-  return floors_.emplace(size, SizedFloor(world, size, bounds_, gates_)).first->second;
+  FloorPlan floor = walkingFloor(world, size);
+  floor.bounds = bounds_;
+  return floors_.try_emplace(size, std::move(floor), size, gates_, world.stopRequest()).first->second;
 }
 
 void WayFinder::release(World& world) {

@@ -37,7 +37,8 @@ SizedFloor* WayLengths::floorFor(const World& world, const Vector2& from, const 
     layout_changes_ = world.layoutChanges();
   }
   std::optional<SizedFloor> floor;
-  if (hasBarriers(plan)) floor.emplace(world, size, bounds_, gates_);
+  plan.bounds = bounds_;
+  if (hasBarriers(plan)) floor.emplace(std::move(plan), size, gates_, world.stopRequest());
   std::optional<SizedFloor>& kept = floors_.emplace(size, std::move(floor)).first->second;
   return kept ? &*kept : nullptr;
 }

@@ -295,10 +295,8 @@ bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, const Dema
       ++unconnected;
       return false;
     }
-    const bool is_near_goal = demands.separate && placed_.isNearGoal(goal, agent.radius);
-    if (drawn && (!placed_.canStandAt(goal, agent.radius) || is_near_goal)) {
-      return false;
-    }
+    if (drawn && !placed_.canStandAt(goal, agent.radius)) return false;
+    if (drawn && demands.separate && placed_.isNearGoal(goal, agent.radius)) return false;
     agent.goals.push_back(goal);
     from = goal;
     from_drawn = drawn;

@@ -9,7 +9,7 @@
 namespace crowd {
 namespace {
 
-constexpr double USUAL_REACH = 0.9;  // of searches for the walls that an agent perceives [m]
+constexpr double USUAL_REACH = 0.9;  // of searches: radius 0.3 m and wall_distance 0.6 m; only speed depends on it [m]
 
 }  // namespace
 

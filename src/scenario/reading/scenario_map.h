@@ -6,8 +6,9 @@
 namespace crowd {
 
 /// @brief Reads the key `map` of a scenario document, the path of a map file relative to it, if it has one. Sets the
-/// scenario's map, its walls and, if a region is {map: free}, the free space for the largest agent; the agents,
-/// obstacles and walls of the file must have been read.
+/// scenario's map, its walls and, if a region is {map: free}, the free space for the largest agent. With or
+/// without a map, it sets where agents can walk, if their places are drawn. Agents, obstacles, walls and `way_finding`
+/// must have been read.
 /// @throws InputError if {map: free} is used without a map or no agent fits; FileError and InputError as readMap()
 void readScenarioMap(const YamlMap& map, Scenario& scenario);
 
