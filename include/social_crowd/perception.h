@@ -26,12 +26,20 @@ struct Wall {
   Vector2 to;
 };
 
+/// @brief How fast agents change their velocity; infinite: at once.
+struct MotionLimits {
+  double acceleration = std::numeric_limits<double>::infinity();  ///< when they speed up or swerve [m/s2]
+  double braking = std::numeric_limits<double>::infinity();       ///< when they slow down [m/s2]
+  double turn_rate = std::numeric_limits<double>::infinity();     ///< of the heading [rad/s]
+};
+
 /// @brief Range and limits of what agents perceive, see QTable::vision().
 struct Vision {
   double radius = 6.0;               ///< maximum distance from the agent's centre to the rim of a neighbour [m]
   std::uint32_t max_neighbours = 0;  ///< only the nearest are perceived; 0: no limit
   bool occlusion = false;            ///< nearer neighbours and walls hide others
   double wall_distance = std::numeric_limits<double>::infinity();  ///< from its rim to a wall [m]
+  MotionLimits motion;                                             ///< of all agents, unless the scenario has its own
 };
 
 /// @brief Kind of a perceived body. UNYIELDED_ROBOT: a robot that agents see, but do not yield to.
@@ -66,6 +74,7 @@ struct Perceptions {
   std::uint64_t tick = 0;
   std::uint32_t turn = 0;      ///< in scenarios with `order: sequential` the agent whose turn it is, else 0
   double tick_duration = 0.1;  ///< [s]
+  MotionLimits motion;         ///< of all agents
   bool last = false;           ///< the episode is over: no actions are expected
   std::vector<Perception> agents;
 };

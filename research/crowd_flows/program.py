@@ -1,4 +1,4 @@
-"""The command line of research/flows; copies of Q-tables whose agents keep a time gap."""
+"""The command line of research/flows; copies of Q-tables whose agents have other bodies."""
 import re
 
 import pandas
@@ -9,10 +9,10 @@ from . import door_flow, fundamental_diagram
 CHECKSUM = b'checksum: '
 FNV_OFFSET, FNV_PRIME = 0xcbf29ce484222325, 0x100000001b3
 DESCRIPTION = '''Measures speed against density in corridors and the flow through doors, and writes tables
-(CSV) and figures; or makes a Q-table whose agents keep a time gap from one whose agents do not.'''
+(CSV) and figures; or copies a Q-table and gives its agents other bodies: mass, gait and a time gap.'''
 EXAMPLES = '''examples:
   research/flows measure human.txt --evaluate .build/devel/lib/social_crowd/evaluate --data DATA --output flows
-  research/flows time-gap anticipation.txt my_human.txt --time-gap 0.9 --width 0.8'''
+  research/flows body anticipation.txt my_human.txt 'time_gap: 0.9, motion: {acceleration: 3, braking: 3}' '''
 
 
 def fnv1a(data):
@@ -22,21 +22,18 @@ def fnv1a(data):
     return value
 
 
-def with_time_gap(contents, time_gap, width):
-    """Returns the contents of a Q-table file with another time gap, 0: none. Throws ValueError if it is not one."""
+def with_body(contents, keys):
+    """Returns the contents of a Q-table file with other keys after `lookout` in its action set, such as
+    'time_gap: 0.9, time_gap_width: 0.8', in the order of the file. Throws ValueError if it is not one."""
     body, found, checksum = contents.rpartition(CHECKSUM)
     if not found or checksum.strip() != b'%016x' % fnv1a(body):
         raise ValueError('expected a Q-table file with a valid checksum')
-    added = b', time_gap: %s, time_gap_width: %s}' % (b'%.15g' % time_gap, b'%.15g' % width) if time_gap > 0.0 else b'}'
-    body, replaced = re.subn(rb'^(action_set: \{type: goal_relative,.*?)(, time_gap: [^}]*)?\}$',
-                             lambda match: match[1] + added, body, count=1, flags=re.MULTILINE)
+    added = b', ' + keys.encode() if keys else b''
+    body, replaced = re.subn(rb'^(action_set: \{type: goal_relative,.*?, lookout: [^,}]*).*\}$',
+                             lambda match: match[1] + added + b'}', body, count=1, flags=re.MULTILINE)
     if replaced == 0:
         raise ValueError('expected the action set goal_relative')
     return body + CHECKSUM + b'%016x\n' % fnv1a(body)
-
-
-def add_time_gap(q_table, output, time_gap, width):
-    output.write_bytes(with_time_gap(q_table.read_bytes(), time_gap, width))
 
 
 def main(words=None):
@@ -48,14 +45,13 @@ def main(words=None):
     add_file(measure, '--data', required=True, metavar='FOLDER', help='folder of the measurements of people')
     add_file(measure, '--output', required=True, metavar='FOLDER', help='folder of tables and figures')
     measure.add_argument('--seeds', type=int, default=3, help='number of placements (default: 3)')
-    table = commands.add_parser('time-gap', help='copy a Q-table, and let its agents keep a time gap')
-    add_file(table, 'q_table')
-    add_file(table, 'output')
-    table.add_argument('--time-gap', type=float, required=True, help='[s]')
-    table.add_argument('--width', type=float, default=1.0, help='share of the sum of both radii (default: 1)')
+    copy = commands.add_parser('body', help='copy a Q-table, and give its agents another body')
+    add_file(copy, 'q_table')
+    add_file(copy, 'output')
+    copy.add_argument('keys', help='keys of the action set after lookout: time_gap, time_gap_width, motion, gait')
     arguments = parser.parse_args(words)
-    if arguments.command == 'time-gap':
-        add_time_gap(arguments.q_table, arguments.output, arguments.time_gap, arguments.width)
+    if arguments.command == 'body':
+        arguments.output.write_bytes(with_body(arguments.q_table.read_bytes(), arguments.keys))
         return
     speeds, doors = {}, {}
     for table in arguments.tables:

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "avoidance/braking_rule.h"
 #include "avoidance/escape_planner.h"
+#include "avoidance/move_limit.h"
 #include "avoidance/near_agents.h"
 #include "geometry/impact.h"
 #include "social_crowd/errors.h"
@@ -11,55 +13,41 @@
 namespace crowd {
 namespace {
 
-/// Upper bound of the displacement in one direction, agent frame.
-struct Limit {  // NOLINT(cppcoreguidelines-pro-type-member-init): an array of limits is not written twice
-  Vector2 normal;
-  double max_advance;  // along `normal` [m]
-};
-
-inline Limit limitOf(const Vector2& towards, double distance, double max_advance) {
+inline MoveLimit limitOf(const Vector2& towards, double distance, double max_advance) {
   // The centres coincide: no direction increases the overlap, so no move is limited.
   if (distance <= 0.0) return {Vector2::Zero(), 0.0};
   return {towards / distance, max_advance - GAP_MARGIN};
 }
 
-inline Limit limitOfAgent(const AgentPerception& self, const Neighbour& other, double tick_duration,
-                          GapSharing sharing) {
+inline MoveLimit limitOfAgent(const Perception& seen, const Neighbour& other, GapSharing sharing) {
   const double distance = other.position.norm();
-  const double gap = std::max(0.0, distance - self.radius - other.radius);
-  Limit limit = limitOf(other.position, distance, 0.5 * gap);
-  if (sharing == GapSharing::MOVING) {
-    // The line between both moves with the mean of their last velocities, but stays within the gap.
-    const double shift = 0.5 * tick_duration * limit.normal.dot(self.velocity + other.velocity);
-    limit.max_advance += std::clamp(shift, -0.5 * gap, 0.5 * gap);
-  }
+  const double gap = std::max(0.0, distance - seen.self.radius - other.radius);
+  MoveLimit limit = limitOf(other.position, distance, 0.5 * gap);
+  if (sharing == GapSharing::MOVING) limit.max_advance += shiftOfLine(gap, limit.normal, seen, other);
   limit.max_advance = std::max(0.0, limit.max_advance);
   return limit;
 }
 
-Limit limitOfObstacle(const AgentPerception& self, const Neighbour& other) {
+MoveLimit limitOfObstacle(const AgentPerception& self, const Neighbour& other) {
   const double distance = other.position.norm();
-  Limit limit = limitOf(other.position, distance, distance - self.radius - other.radius);
+  MoveLimit limit = limitOf(other.position, distance, distance - self.radius - other.radius);
   limit.max_advance = std::max(0.0, limit.max_advance);
   return limit;
 }
 
-/// The robot may move on as it does, or stop within the tick, but not get closer than that.
-Limit limitOfRobot(const AgentPerception& self, const Neighbour& robot, double tick_duration) {
+MoveLimit limitOfRobot(const Perception& seen, const Neighbour& robot) {
   const double distance = robot.position.norm();
-  const double gap = distance - self.radius - robot.radius;
-  Limit limit = limitOf(robot.position, distance, gap);
-  limit.max_advance =
-      std::max(0.0, limit.max_advance + std::min(0.0, tick_duration * limit.normal.dot(robot.velocity)));
+  MoveLimit limit = limitOf(robot.position, distance, distance - seen.self.radius - robot.radius);
+  limit.max_advance = std::max(0.0, limit.max_advance - needOfRobot(limit.normal, seen, robot));
   return limit;
 }
 
-Limit limitOf(const Perception& seen, const Neighbour& neighbour, GapSharing sharing) {
+MoveLimit limitOf(const Perception& seen, const Neighbour& neighbour, GapSharing sharing) {
   switch (neighbour.kind) {
     case NeighbourKind::AGENT:
-      return limitOfAgent(seen.self, neighbour, seen.tick_duration, sharing);
+      return limitOfAgent(seen, neighbour, sharing);
     case NeighbourKind::ROBOT:
-      return limitOfRobot(seen.self, neighbour, seen.tick_duration);
+      return limitOfRobot(seen, neighbour);
     default:
       return limitOfObstacle(seen.self, neighbour);
   }
@@ -85,37 +73,21 @@ void keepOutOfReach(const Perception& seen, MoveBlock* moves, std::size_t count)
   }
 }
 
-Limit limitOfWall(const AgentPerception& self, const Segment& wall) {
+MoveLimit limitOfWall(const AgentPerception& self, const Segment& wall) {
   const Vector2 nearest = nearestPoint(wall, Vector2::Zero());
   const double distance = nearest.norm();
-  Limit limit = limitOf(nearest, distance, distance - self.radius);
+  MoveLimit limit = limitOf(nearest, distance, distance - self.radius);
   limit.max_advance = std::max(0.0, limit.max_advance);
   return limit;
 }
 
-/// Makes all wanted fractions admissible. Copies whole vector registers: narrower stores could not be forwarded to the
-/// wide loads that follow.
 void admitAll(MoveBlock* moves, std::size_t count) {
-  for (std::size_t block = 0; block < blocksOf(count); ++block) {
-    for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) moves[block].fraction[i] = moves[block].wanted[i];
-  }
+  for (std::size_t block = 0; block < blocksOf(count); ++block) admitAll(moves[block]);
 }
 
-/// @param reach the longest displacement of a tick [m]
-void apply(const Limit& limit, double reach, MoveBlock& moves) {
-  const double nx = limit.normal.x();
-  const double ny = limit.normal.y();
-  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
-    const double advance = reach * (nx * moves.x[i] + ny * moves.y[i]);
-    const bool too_far = (advance > 0.0) & (moves.fraction[i] * advance > limit.max_advance);
-    const double left = limit.max_advance / advance;
-    moves.fraction[i] = too_far ? left : moves.fraction[i];
-  }
-}
-
-void cutToGap(const Limit& limit, double reach, MoveBlock* moves, std::size_t count) {
+void cutToGap(const MoveLimit& limit, double reach, MoveBlock* moves, std::size_t count) {
   if (limit.max_advance >= reach) return;
-  for (std::size_t block = 0; block < blocksOf(count); ++block) apply(limit, reach, moves[block]);
+  for (std::size_t block = 0; block < blocksOf(count); ++block) cutDisplacement(limit, reach, moves[block]);
 }
 
 void cutToWalls(const Perception& seen, MoveBlock* moves, std::size_t count) {
@@ -125,7 +97,7 @@ void cutToWalls(const Perception& seen, MoveBlock* moves, std::size_t count) {
 
 /// A limit and the moves that it applies to.
 struct Cut {  // NOLINT(cppcoreguidelines-pro-type-member-init): as Limit
-  Limit limit;
+  MoveLimit limit;
   double reach;  // the longest displacement of a tick [m]
   MoveBlock* moves;
 };
@@ -149,6 +121,10 @@ NeighbourSet findLimiting(const Perception& seen, std::size_t first) {
 }  // namespace
 
 void SeparationRule::cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const {
+  if (batch.size() > 0 && batch[0].motion.areOn()) {
+    for (std::size_t k = 0; k < batch.size(); ++k) cut(batch[k], moves + k * blocksOf(count), count);
+    return;
+  }
   for (std::size_t k = 0; k < batch.size(); ++k) {
     MoveBlock* const own = moves + k * blocksOf(count);
     if (NearAgents::isFor(batch[k])) {
@@ -171,10 +147,8 @@ void SeparationRule::cutAmongAgents(const PerceptionBatch& batch, MoveBlock* mov
   std::size_t cut_count = 0;
   for (const NearAgent near : NearAgents(batch)) {
     const Perception& seen = batch[near.agent()];
-    const AgentPerception& self = seen.self;
-    const double tick_duration = seen.tick_duration;
-    const double reach = self.max_speed * tick_duration;
-    const Limit limit = limitOfAgent(self, seen.neighbours[near.neighbour()], tick_duration, sharing_);
+    const double reach = seen.self.max_speed * seen.tick_duration;
+    const MoveLimit limit = limitOfAgent(seen, seen.neighbours[near.neighbour()], sharing_);
     cuts[cut_count] = {limit, reach, moves + near.agent() * blocksOf(count)};
     cut_count += limit.max_advance < reach ? 1 : 0;  // the others are overwritten
   }
@@ -195,12 +169,17 @@ void SeparationRule::replaceUnsafe(const Perception& perception, MoveBlock* move
   escape_planner.replaceUnsafe(moves, count);
 }
 
+RelativeAction SeparationRule::actionTowards(const Perception& perception, const CandidateMove& move) const {
+  return BrakingRule(perception, sharing_).actionTowards(move);
+}
+
 bool SeparationRule::mustEscape(const Perception& perception) const {
   if (!perception.neighbours.hasObstacles() || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return false;
   return EscapePlanner(perception, lookout_).isNeeded();
 }
 
 void SeparationRule::cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const {
+  if (perception.motion.areOn()) return BrakingRule(perception, sharing_).cut(moves, count);
   admitAll(moves, count);
   if (sharing_ == GapSharing::NONE) return;
   const AgentPerception& self = perception.self;

@@ -1,20 +1,12 @@
 #pragma once
 
 #include "avoidance/candidate_move.h"
+#include "avoidance/gap_sharing.h"
 #include "avoidance/perception_batch.h"
-#include "common/text/enum_names.h"
 #include "world/perception.h"
+#include "world/relative_action.h"
 
 namespace crowd {
-
-/// @brief How two agents that move at the same time share the gap between their bodies.
-enum class GapSharing {
-  NONE,    ///< no rule: moves are not limited
-  HALF,    ///< each agent may use half of the gap
-  MOVING,  ///< the line between them moves with their mean velocity: a follower may use the space that a leader leaves
-};
-
-inline constexpr EnumNames<GapSharing, 3> GAP_SHARINGS{"gap_sharing", {"none", "half", "moving"}};
 
 /// @brief Limits moves so that agents that follow the rule never touch each other, walls, or static obstacles
 /// (docs/separation_rule.md has the proof and its conditions), and replaces moves that moving obstacles make unsafe
@@ -23,7 +15,8 @@ inline constexpr EnumNames<GapSharing, 3> GAP_SHARINGS{"gap_sharing", {"none", "
 /// Along the line between two agents, each agent advances by at most its share of the gap. Both compute the same shares
 /// without communication, from their positions, radii and last velocities. The whole gap to a wall or a static obstacle
 /// may be used. Agents do not move into robots that they yield to, nor into their reach in the coming tick
-/// (docs/separation_rule.md, Robots). Immutable: any number of threads may call cut() with buffers of their own.
+/// (docs/separation_rule.md, Robots). For agents with motion limits it does what BrakingRule describes. Immutable: any
+/// number of threads may call cut() with buffers of their own.
 class SeparationRule {
  public:
   /// @param lookout time for which a path clear of moving obstacles is kept [s], see EscapePlanner; 0: moving obstacles
@@ -39,6 +32,8 @@ class SeparationRule {
   /// @param batch at most MAX_BATCH agents
   /// @param moves blocksOf(count) blocks per agent
   void cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const;
+  /// @brief For agents with motion limits, the action of a tick towards the velocity of a move that cut() limited.
+  RelativeAction actionTowards(const Perception& perception, const CandidateMove& move) const;
   /// @brief Whether a moving obstacle comes so near that cut() considers escapes from it.
   bool mustEscape(const Perception& perception) const;
 

@@ -22,7 +22,8 @@ class KeyedRandom {
     POPULATION = 6,
     ROBOT_PLACEMENT = 7,
     SENSOR = 8,
-    ODOMETRY = 9
+    ODOMETRY = 9,
+    GAIT = 10
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)

@@ -171,7 +171,7 @@ inline void Learner::answer(DecisionWorkspace& workspace, std::vector<AgentActio
     choice.action = action;
     AgentAction& given = actions.emplace_back();
     given.agent = self.agent;
-    given.action = model_.action_set->relativeAction(&workspace.moves[k * blocks_each_], action);
+    given.action = model_.action_set->relativeAction(workspace.seen[k], &workspace.moves[k * blocks_each_], action);
   }
 }
 

@@ -31,6 +31,7 @@ Vision Model::vision() const {
   vision.occlusion = occlusion;
   vision.max_neighbours = state_set->maxNeighbours();
   if (!occlusion) vision.wall_distance = state_set->wallDistance();  // walls farther away hide others, too
+  vision.motion = action_set->motion();
   return vision;
 }
 

@@ -91,6 +91,7 @@ void toPublic(const crowd::Perceptions& from, Perceptions& to) {
   to.tick = from.tick;
   to.turn = from.turn;
   to.tick_duration = from.tick_duration;
+  to.motion = toPublic(from.motion);
   to.last = from.last;
   to.agents.resize(from.agents.size());
   for (std::size_t i = 0; i < from.agents.size(); ++i) copyInto(to.agents[i], crowd::Perception(from, i));
@@ -102,6 +103,7 @@ void fromPublic(const Perceptions& from, crowd::Perceptions& to) {
   to.tick = from.tick;
   to.turn = from.turn;
   to.tick_duration = from.tick_duration;
+  to.motion = fromPublic(from.motion);
   to.last = from.last;
   to.agents.clear();
   to.neighbours.clear();

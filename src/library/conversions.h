@@ -18,8 +18,14 @@ inline Pose toPublic(const crowd::Pose& pose) { return {toPublic(pose.position),
 inline crowd::Pose fromPublic(const Pose& pose) { return {fromPublic(pose.position), pose.heading}; }
 inline Wall toPublic(const Segment& wall) { return {toPublic(wall.from), toPublic(wall.to)}; }
 inline Segment fromPublic(const Wall& wall) { return {fromPublic(wall.from), fromPublic(wall.to)}; }
+inline MotionLimits toPublic(const crowd::MotionLimits& motion) {
+  return {motion.acceleration, motion.braking, motion.turn_rate};
+}
+inline crowd::MotionLimits fromPublic(const MotionLimits& motion) {
+  return {motion.acceleration, motion.braking, motion.turn_rate};
+}
 inline crowd::Vision fromPublic(const Vision& vision) {
-  return {vision.radius, vision.max_neighbours, vision.occlusion, vision.wall_distance};
+  return {vision.radius, vision.max_neighbours, vision.occlusion, vision.wall_distance, fromPublic(vision.motion)};
 }
 
 EpisodeResult toPublic(const crowd::EpisodeResult& result);

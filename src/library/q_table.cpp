@@ -14,7 +14,7 @@ void QTable::save(const std::string& file) const { saveQTable(file, *trained_); 
 
 Vision QTable::vision() const {
   const crowd::Vision vision = trained_->model.vision();
-  return {vision.radius, vision.max_neighbours, vision.occlusion, vision.wall_distance};
+  return {vision.radius, vision.max_neighbours, vision.occlusion, vision.wall_distance, toPublic(*vision.motion)};
 }
 
 std::string QTable::model() const { return trained_->model.spec(); }

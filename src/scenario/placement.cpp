@@ -38,6 +38,7 @@ Scene emptyScene(const Scenario& scenario) {
   scene.goal_tolerance = scenario.goal_tolerance;
   scene.collision_radius = scenario.collision_radius;
   scene.contact = scenario.contact;
+  scene.motion = scenario.motion;
   scene.order = scenario.order;
   scene.walls = scenario.walls;
   scene.own_walls = scenario.walls.size();

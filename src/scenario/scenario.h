@@ -98,6 +98,7 @@ struct Scenario {
   double goal_tolerance = 0.0;
   double collision_radius = DEFAULT_COLLISION_RADIUS;  ///< [m], see Scene
   Contact contact = Contact::GHOST;
+  std::optional<MotionLimits> motion;  ///< see Scene
   Order order = Order::SIMULTANEOUS;
   std::uint64_t seed = 0;  ///< combined with the seed of the run
   std::vector<AgentGroup> agents;

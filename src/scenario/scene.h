@@ -8,6 +8,7 @@
 
 #include "common/text/enum_names.h"
 #include "geometry/geometry.h"
+#include "geometry/motion_limits.h"
 #include "geometry/obstacle_path.h"
 #include "maps/free_space.h"
 #include "scenario/robot.h"
@@ -68,6 +69,7 @@ struct Scene {
   double collision_radius = DEFAULT_COLLISION_RADIUS;
   Contact contact = Contact::GHOST;
   Order order = Order::SIMULTANEOUS;
+  std::optional<MotionLimits> motion;  ///< of all agents; without a value that of the Q-table
   std::vector<AgentStart> agents;
   std::vector<Obstacle> obstacles;
   std::vector<RobotStart> robots;

@@ -27,6 +27,7 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
       way_finder_(scene_),
       way_lengths_(scene_),
       number_(number) {
+  setVision(vision);
   population_.begin(world_, monitor_);
   noteChange();
 }
@@ -45,6 +46,7 @@ void Episode::noteChange() {
 
 void Episode::setVision(const Vision& vision) {
   vision_ = vision;
+  world_.setMotion(scene_.motion ? *scene_.motion : vision.motion.value_or(MotionLimits()));
   are_current_ = false;
 }
 

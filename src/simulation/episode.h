@@ -35,7 +35,8 @@ class Episode {
   Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool = ThreadPool::callerOnly(),
           StopRequest stop = {});
 
-  /// @brief Changes the vision; perceptions() reflect it immediately.
+  /// @brief Changes the vision, and the motion limits of the agents unless the scene has them; perceptions() reflect
+  /// both immediately.
   void setVision(const Vision& vision);
   const Vision& vision() const { return vision_; }
 

@@ -78,6 +78,7 @@ inline void writeNeighbours(const World& world, const Span<NearDisc>& found, con
 void Perceiver::perceive(const World& world, const Vision& vision, const Viewers& viewers, Perceptions& perceptions) {
   perceptions.tick = world.tick();
   perceptions.tick_duration = world.tickDuration();
+  perceptions.motion = world.motion();
   perceptions.agents.resize(viewers.size());
   perceptions.neighbours.resize(vision.max_neighbours * viewers.size());
   perceptions.walls.clear();
@@ -139,7 +140,7 @@ inline void Perceiver::findWalls(const World& world, const Vision& vision, const
   if (world.walls().list().empty()) return;
   const Rotation frame(agent.ahead);
   near_walls_.clear();
-  const double reach = vision.wallReach(agent.radius, agent.max_speed * world.tickDuration());
+  const double reach = vision.wallReach(agent.radius, world.motion().reach(agent.max_speed, world.tickDuration()));
   world.walls().index().findNear(agent.pose.position, reach, near_walls_);
   for (const std::uint32_t number : near_walls_) {
     const Segment& wall = world.walls().list()[number];

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "common/agent_id.h"
 #include "common/span.h"
 #include "geometry/geometry.h"
+#include "geometry/motion_limits.h"
 #include "world/neighbours.h"
 
 namespace crowd {
@@ -20,11 +22,13 @@ struct Vision {
   bool occlusion = false;            ///< nearer neighbours and walls hide others (see Occlusion)
   /// Maximum distance from the agent's rim to a wall, as far as that is within `radius` of its centre [m].
   double wall_distance = std::numeric_limits<double>::infinity();
+  /// Of the agents, unless the scene has its own: each must know those of the others. Nothing if no model has said it.
+  std::optional<MotionLimits> motion;
 
-  /// @brief Maximum distance from an agent's centre to a wall [m]. Walls that it can reach within a tick count, too.
-  /// @param body_radius of the agent [m] @param step the longest one in a tick [m]
-  double wallReach(double body_radius, double step) const {
-    return std::min(radius, body_radius + std::max(wall_distance, step));
+  /// @brief Maximum distance from an agent's centre to a wall [m]. Walls that it could touch count, too.
+  /// @param body_radius of the agent [m] @param reach the longest way until it stands again [m]
+  double wallReach(double body_radius, double reach) const {
+    return std::min(radius, body_radius + std::max(wall_distance, reach));
   }
 
   /// @brief Number of neighbours, nearest rim first, that are within these limits.
@@ -62,6 +66,7 @@ struct Perceptions {
   std::uint64_t tick = 0;
   std::uint32_t turn = 0;      ///< within the tick: the agent whose turn it is (Order::SEQUENTIAL), else 0
   double tick_duration = 0.0;  ///< [s]
+  MotionLimits motion;         ///< of all agents
   bool last = false;           ///< the episode is over: no answers are expected
   std::vector<AgentPerception> agents;
   NeighbourList neighbours;    ///< of each agent, nearest rim first
@@ -73,13 +78,19 @@ struct Perception {
   const AgentPerception& self;
   NeighbourSpan neighbours;
   Span<Segment> walls;
+  std::uint64_t episode;
+  double time;           ///< since the start of the episode [s]
   double tick_duration;  ///< [s]
+  const MotionLimits& motion;
 
   Perception(const Perceptions& all, std::size_t index)
       : self(all.agents[index]),
         neighbours(all.neighbours, self.first_neighbour, self.neighbour_count),
         walls(all.walls.data() + self.first_wall, self.wall_count),
-        tick_duration(all.tick_duration) {}
+        episode(all.episode),
+        time(static_cast<double>(all.tick) * all.tick_duration),
+        tick_duration(all.tick_duration),
+        motion(all.motion) {}
 
   /// @brief Whether it contains neither walls nor obstacles.
   bool isOfAgentsAlone() const { return walls.empty() && !neighbours.hasObstacles(); }

@@ -219,7 +219,9 @@ bool World::dropDeparted() {
 inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
   agent.acted = action != nullptr && agent.isWalking() && !agent.held && !agent.yielding;
   agent.blocked = false;
-  agent.velocity = Vector2::Zero();
+  const bool brakes = !agent.acted && action != nullptr && agent.isWalking();
+  agent.velocity = brakes ? motion_.braked(agent.velocity, tick_duration_) : Vector2::Zero();
+  if (brakes && contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
   if (!agent.acted) return;
   if (action->rotation != 0.0) {
     agent.pose.heading = wrapAngle(agent.pose.heading + action->rotation);

@@ -7,6 +7,7 @@
 
 #include "common/stop_request.h"
 #include "common/thread_pool.h"
+#include "geometry/motion_limits.h"
 #include "geometry/neighbour_grid.h"
 #include "geometry/solid_motion.h"
 #include "scenario/scene.h"
@@ -46,6 +47,10 @@ class World {
   double time() const { return static_cast<double>(tick_) * tick_duration_; }
   double tickDuration() const { return tick_duration_; }
   Contact contact() const { return contact_; }
+  /// @brief Limits of the changes of velocity of the agents. Those who decide keep them, see Perceptions; the world
+  /// does for agents that it holds.
+  const MotionLimits& motion() const { return motion_; }
+  void setMotion(const MotionLimits& motion) { motion_ = motion; }
   const StopRequest& stopRequest() const { return stop_; }
 
   /// @brief The agents by id: all agents of the scene, and those that were added later. Of the latter, an agent that
@@ -130,6 +135,7 @@ class World {
 
   StopRequest stop_;
   double tick_duration_;
+  MotionLimits motion_;
   double goal_tolerance_;
   double collision_radius_;
   Contact contact_;

@@ -47,7 +47,7 @@ TEST(GoalRelativeActions, RelativeActionsEqualTheAdmissibleMoves) {
   bool cut = false;
   for (Action action = 0; action < goal_relative.size(); ++action) {
     const CandidateMove move = moveAt(moves.data(), action);
-    const RelativeAction carried_out = goal_relative.relativeAction(moves.data(), action);
+    const RelativeAction carried_out = goal_relative.relativeAction(scene.perception(), moves.data(), action);
     EXPECT_EQ(carried_out.speed_fraction, move.fraction);
     EXPECT_EQ(carried_out.rotation, bearingOf(move.direction));
     cut = cut || move.fraction < move.wanted;

@@ -7,7 +7,7 @@ import pytest
 import yaml
 from crowd_flows import door_flow, fundamental_diagram, fundamental_diagram as corridors, measurements
 from crowd_flows.measurements import evaluate, read_tracks
-from crowd_flows.program import add_time_gap, with_time_gap
+from crowd_flows.program import main, with_body
 from programs import ANTICIPATION_TABLE, in_package, tools_folder
 
 ANTICIPATION = pathlib.Path(ANTICIPATION_TABLE)
@@ -82,21 +82,28 @@ class DoorFlowTest:
         assert door_flow.flow_of(numpy.full((TICKS, 4, 2), -1.0)) == (0.0, 0)
 
 
-class TimeGapTableTest:
-    """The shipped table, and copies of tables with a time gap."""
+BODY = ('time_gap: 0.9, time_gap_width: 0.8, motion: {acceleration: 3, braking: 3}, '
+        'gait: {sway: 5, wander: 15, pace: 0.08}')
+
+
+class BodyTest:
+    """The shipped table, and copies of tables whose agents have other bodies."""
 
     def test_human_has_the_values_of_anticipation(self, tmp_path):
-        add_time_gap(ANTICIPATION, tmp_path / 'copy.txt', 0.9, 0.8)
+        main(['body', str(ANTICIPATION), str(tmp_path / 'copy.txt'), BODY])
         assert (tmp_path / 'copy.txt').read_bytes() == HUMAN.read_bytes()
-        assert with_time_gap(HUMAN.read_bytes(), 0.0, 1.0) == ANTICIPATION.read_bytes()
+        assert with_body(HUMAN.read_bytes(), '') == ANTICIPATION.read_bytes()
+
+    def test_the_page_names_the_body(self):
+        assert BODY in pathlib.Path(in_package('docs', 'human.md')).read_text(encoding='utf-8')
 
     def test_other_files_are_refused(self):
         contents = ANTICIPATION.read_bytes()
         for wrong in (b'', contents[:-1000], contents.replace(b'rows: 6144', b'rows: 6145')):
             with pytest.raises(ValueError, match='valid checksum'):
-                with_time_gap(wrong, 1.0, 1.0)
+                with_body(wrong, BODY)
         with pytest.raises(ValueError, match='goal_relative'):
-            with_time_gap(pathlib.Path(in_package('config', 'q_tables', 'thesis_nearest.txt')).read_bytes(), 1.0, 1.0)
+            with_body(pathlib.Path(in_package('config', 'q_tables', 'thesis_nearest.txt')).read_bytes(), BODY)
 
 
 def test_a_dense_human_crowd_is_slow_and_without_contacts(tmp_path):

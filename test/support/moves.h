@@ -25,7 +25,7 @@ inline std::vector<MoveBlock> movesOf(const ActionSet& actions, const Perception
 
 /// @brief The relative action of an action.
 inline RelativeAction relativeAction(const ActionSet& actions, const Perception& perception, Action action) {
-  return actions.relativeAction(movesOf(actions, perception).data(), action);
+  return actions.relativeAction(perception, movesOf(actions, perception).data(), action);
 }
 
 /// @brief Features of the first `count` moves of a block.

@@ -38,6 +38,18 @@ class PerceptionsBuilder {
     return *this;
   }
 
+  /// @brief Velocity of the agent in the last tick, agent frame [m/s].
+  PerceptionsBuilder& walking(const Vector2& velocity) {
+    all_.agents.back().velocity = velocity;
+    return *this;
+  }
+
+  /// @brief Sets the motion limits of all agents.
+  PerceptionsBuilder& motion(const MotionLimits& motion) {
+    all_.motion = motion;
+    return *this;
+  }
+
   PerceptionsBuilder& neighbour(const Vector2& position, double radius) {
     Neighbour neighbour;
     neighbour.position = position;

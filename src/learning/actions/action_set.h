@@ -35,10 +35,12 @@ class ActionSet {
   /// @brief Whether findMoves() writes the same moves for all perceptions. Then the learner does not call it each tick.
   virtual bool hasConstantMoves() const { return false; }
   /// @brief Returns the relative action that carries out the move of an action.
-  /// @param moves those that findMoves() wrote for the agent
-  virtual RelativeAction relativeAction(const MoveBlock* moves, Action action) const {
+  /// @param moves those that findMoves() wrote for the perception `seen`
+  virtual RelativeAction relativeAction(const Perception& /*seen*/, const MoveBlock* moves, Action action) const {
     return toAction(moveAt(moves, action));
   }
+  /// @brief The limits of the changes of velocity that its agents are to have, see Vision::motion.
+  virtual MotionLimits motion() const { return {}; }
   /// @brief Returns the action that is the same move with left and right exchanged.
   virtual Action mirrored(Action action) const = 0;
   /// @brief Name and parameters as one canonical line of YAML. Two sets with equal lines are the same set; Q-table

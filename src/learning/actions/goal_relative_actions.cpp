@@ -27,6 +27,15 @@ void turn(const MoveBlock& base_moves, const Vector2& bearing, std::size_t turne
   }
 }
 
+/// What becomes of a move by the gait of the agent.
+CandidateMove deviate(const CandidateMove& move, const Gait& gait, const Perception& seen) {
+  const GaitDeviation deviation =
+      gait.at(KeyedRandom(0, KeyedRandom::GAIT, {seen.episode, seen.self.agent}), seen.time);
+  // Who has little space walks slowly, and straight.
+  const double turn = move.fraction * deviation.turn;
+  return {Rotation(turn).outOfFrame(move.direction), move.wanted, deviation.pace * move.fraction};
+}
+
 }  // namespace
 
 GoalRelativeActions::GoalRelativeActions(const Parameters& parameters)
@@ -75,6 +84,14 @@ void GoalRelativeActions::keepTimeGap(const PerceptionBatch& batch, MoveBlock* m
   }
 }
 
+RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const MoveBlock* moves,
+                                                   Action action) const {
+  const CandidateMove move = moveAt(moves, action);
+  if (!seen.motion.areOn()) return toAction(move);
+  if (!parameters_.gait.isOn()) return rule_.actionTowards(seen, move);
+  return rule_.actionTowards(seen, deviate(move, parameters_.gait, seen));
+}
+
 /// Absent while it is off: headers of tables stay as they were.
 std::string GoalRelativeActions::timeGapSpec() const {
   if (!time_gap_.isOn()) return "";
@@ -86,12 +103,14 @@ std::string GoalRelativeActions::spec() const {
          ", slow_headings: " + toText(parameters_.slow_headings) +
          ", slow_fraction: " + toText(parameters_.slow_fraction) + ", stay: " + (parameters_.stay ? "true" : "false") +
          ", gap_sharing: " + GAP_SHARINGS.nameOf(parameters_.gap_sharing) +
-         ", lookout: " + toText(parameters_.lookout) + timeGapSpec() + "}";
+         ", lookout: " + toText(parameters_.lookout) + timeGapSpec() +
+         (parameters_.motion.areOn() ? ", motion: " + toText(parameters_.motion) : "") +
+         (parameters_.gait.isOn() ? ", gait: " + toText(parameters_.gait) : "") + "}";
 }
 
 std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {
   map.allow({"type", "headings", "slow_headings", "slow_fraction", "stay", "gap_sharing", "lookout", "time_gap",
-             "time_gap_width"});
+             "time_gap_width", "motion", "gait"});
   GoalRelativeActions::Parameters parameters;
   parameters.headings = map.risingNumbers("headings", 0.0, 180.0, parameters.headings);
   if (parameters.headings.empty()) throwExpected(map.placeOf("headings"), map.need("headings"), "at least one");
@@ -102,6 +121,8 @@ std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {
   parameters.lookout = map.number("lookout", NumberRule::NOT_NEGATIVE, parameters.lookout);
   parameters.time_gap = map.number("time_gap", NumberRule::NOT_NEGATIVE, parameters.time_gap);
   parameters.time_gap_width = map.number("time_gap_width", NumberRule::NOT_NEGATIVE, parameters.time_gap_width);
+  if (map.has("motion")) parameters.motion = readMotionLimits(map.find("motion"), map.placeOf("motion"));
+  if (map.has("gait")) parameters.gait = readGait(map.find("gait"), map.placeOf("gait"));
   return std::make_shared<GoalRelativeActions>(parameters);
 }
 

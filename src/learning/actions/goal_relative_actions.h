@@ -5,6 +5,7 @@
 #include "avoidance/separation_rule.h"
 #include "avoidance/time_gap.h"
 #include "learning/actions/action_set.h"
+#include "learning/actions/gait.h"
 
 namespace crowd {
 
@@ -23,6 +24,8 @@ class GoalRelativeActions : public ActionSet {
     double lookout = 1.5;         ///< see SeparationRule [s]; 0: moving obstacles are ignored
     double time_gap = 0.0;        ///< see TimeGap [s]; 0: none is kept
     double time_gap_width = 1.0;  ///< see TimeGap
+    MotionLimits motion;          ///< see ActionSet::motion()
+    Gait gait;                    ///< of agents with motion limits
   };
 
   GoalRelativeActions() : GoalRelativeActions(Parameters()) {}
@@ -30,6 +33,8 @@ class GoalRelativeActions : public ActionSet {
 
   Action size() const override { return static_cast<Action>(mirrored_.size()); }
   void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
+  RelativeAction relativeAction(const Perception& seen, const MoveBlock* moves, Action action) const override;
+  MotionLimits motion() const override { return parameters_.motion; }
   Action mirrored(Action action) const override { return mirrored_[action]; }
   std::string spec() const override;
 

@@ -20,7 +20,7 @@ class KingsMoves : public ActionSet {
   void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
   bool hasConstantMoves() const override { return true; }
   /// @brief Returns the exact multiple of 360 degrees / rotations.
-  RelativeAction relativeAction(const MoveBlock* /*moves*/, Action action) const override {
+  RelativeAction relativeAction(const Perception& /*seen*/, const MoveBlock* /*moves*/, Action action) const override {
     return relative_actions_[action];
   }
   Action mirrored(Action action) const override {

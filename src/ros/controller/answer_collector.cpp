@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ros/controller/agent_list.h"
+#include "ros/messages/motion_fields.h"
 #include "ros/messages/names.h"
 #include "ros/messages/tick_subscriber.h"
 #include "ros/messages/topic_defaults.h"
@@ -34,6 +35,12 @@ std::vector<AgentId> walkingAgents(const World& world) {
     if (agent.isWalking()) walking.push_back(agent.id);
   }
   return walking;
+}
+
+std::uint8_t motionSourceOf(const Episode& episode) {
+  if (episode.scene().motion) return social_crowd::Perceptions::MOTION_OF_SCENARIO;
+  return episode.vision().motion ? social_crowd::Perceptions::MOTION_OF_LEARNERS
+                                 : social_crowd::Perceptions::MOTION_UNKNOWN;
 }
 
 }  // namespace
@@ -66,7 +73,8 @@ void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event)
 void AnswerCollector::takeStatus(const ros::MessageEvent<const social_crowd::LearnerStatus>& event) {
   const social_crowd::LearnerStatus& status = *event.getMessage();
   const Vision vision{status.vision_radius, status.max_neighbours, status.occlusion != 0,
-                      wallDistanceOf(status.wall_distance)};
+                      wallDistanceOf(status.wall_distance),
+                      fromFields({status.acceleration, status.braking, status.turn_rate})};
   const std::string& learner = status.node.empty() ? event.getPublisherName() : status.node;
   perceptions_.useTopicOf(learner, status);
   visions_.report(learner, vision);
@@ -90,6 +98,8 @@ PerceptionsMessage::ConstPtr AnswerCollector::toMessage(Episode& episode, const 
   message->header = header;
   message->run = run_;
   message->vision = episode.vision();
+  message->motion_source = motionSourceOf(episode);
+  message->vision.motion = requestOf(message->motion_source, episode.world().motion());
   message->shared = episode.sharedPerceptions();
   return message;
 }

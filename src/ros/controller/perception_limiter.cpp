@@ -10,6 +10,7 @@ const Perceptions& PerceptionLimiter::limit(const Perceptions& perceptions, cons
   limited_.tick = perceptions.tick;
   limited_.turn = perceptions.turn;
   limited_.tick_duration = perceptions.tick_duration;
+  limited_.motion = perceptions.motion;
   limited_.last = perceptions.last;
   limited_.agents = perceptions.agents;
   limited_.neighbours.clear();
@@ -34,7 +35,7 @@ const Perceptions& PerceptionLimiter::limit(const Perceptions& perceptions, cons
 }
 
 void PerceptionLimiter::limitWalls(const Perception& wide) {
-  const double reach = vision_.wallReach(wide.self.radius, wide.self.max_speed * wide.tick_duration);
+  const double reach = vision_.wallReach(wide.self.radius, wide.motion.reach(wide.self.max_speed, wide.tick_duration));
   for (const Segment& wall : wide.walls) {
     if (distanceTo(wall, Vector2::Zero()) <= reach) limited_.walls.push_back(wall);
   }

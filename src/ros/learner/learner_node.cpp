@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ros/messages/motion_fields.h"
 #include "ros/messages/names.h"
 #include "ros/messages/tick_subscriber.h"
 #include "ros/messages/topic_defaults.h"
@@ -198,6 +199,10 @@ social_crowd::LearnerStatus LearnerNode::status() const {
   status.max_neighbours = limiter_.vision().max_neighbours;
   status.occlusion = limiter_.vision().occlusion ? 1 : 0;
   status.wall_distance = wallDistanceField(limiter_.vision());
+  const MotionFields motion = toFields(*limiter_.vision().motion);
+  status.acceleration = motion.acceleration;
+  status.braking = motion.braking;
+  status.turn_rate = motion.turn_rate;
   return status;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/limits.h"
+#include "ros/messages/motion_fields.h"
 #include "ros/messages/vision.h"
 
 namespace crowd {
@@ -26,6 +27,12 @@ void LearnerVisions::report(const std::string& learner, const Vision& vision) {
   if (!wall_refusal.empty()) {
     ROS_WARN("'%s' requests walls up to a distance of %g; expected %s. The request is ignored", learner.c_str(),
              wall_distance, wall_refusal.c_str());
+    return;
+  }
+  const std::string motion_refusal = vision.motion ? refusalOf(*vision.motion) : "";
+  if (!motion_refusal.empty()) {
+    ROS_WARN("'%s' requests invalid motion limits: %s. The request is ignored", learner.c_str(),
+             motion_refusal.c_str());
     return;
   }
   if (vision.radius == 0.0) {

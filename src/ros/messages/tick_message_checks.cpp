@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "ros/messages/motion_fields.h"
 #include "ros/messages/tick_messages.h"
 #include "social_crowd/errors.h"
 
@@ -27,6 +28,8 @@ void checkNumbers(const AgentPerception& self) {
 }  // namespace
 
 void requireValid(const Perceptions& perceptions) {
+  const std::string refusal = refusalOf(perceptions.motion);
+  if (!refusal.empty()) throw InputError("perceptions: " + refusal);
   for (const AgentPerception& self : perceptions.agents) {
     checkNumbers(self);
     checkPart(self.first_neighbour, self.neighbour_count, perceptions.neighbours.size(), "neighbours");

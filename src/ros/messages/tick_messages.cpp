@@ -3,6 +3,7 @@
 #include <cstring>
 #include <vector>
 
+#include "ros/messages/motion_fields.h"
 #include "ros/messages/vision.h"
 
 namespace crowd {
@@ -18,7 +19,7 @@ constexpr std::uint32_t WIRE_NEIGHBOUR = 1 + 5 * NUMBER;
 constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
 constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 2 + 4 * COUNT;
 constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
-constexpr std::uint32_t WIRE_PERCEPTIONS = 6 * NUMBER + 2 * COUNT + 2 + 3 * COUNT;  // without header and lists
+constexpr std::uint32_t WIRE_PERCEPTIONS = 9 * NUMBER + 2 * COUNT + 3 + 3 * COUNT;  // without header and lists
 constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;                          // without header, name and list
 
 /// Writes numbers consecutively to a buffer. The size is reserved once per list.
@@ -236,6 +237,11 @@ void Serializer<PerceptionsMessage>::write(OStream& stream, const PerceptionsMes
   stream.next(message.vision.max_neighbours);
   stream.next(std::uint8_t{message.vision.occlusion});
   stream.next(crowd::wallDistanceField(message.vision));
+  const crowd::MotionFields motion = crowd::toFields(content.motion);
+  stream.next(message.motion_source);
+  stream.next(motion.acceleration);
+  stream.next(motion.braking);
+  stream.next(motion.turn_rate);
   crowd::putLists(stream, message);
 }
 
@@ -257,9 +263,16 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   stream.next(message.vision.max_neighbours);
   stream.next(occlusion);
   stream.next(wall_distance);
+  crowd::MotionFields motion;
+  stream.next(message.motion_source);
+  stream.next(motion.acceleration);
+  stream.next(motion.braking);
+  stream.next(motion.turn_rate);
   content.last = last != 0;
   message.vision.occlusion = occlusion != 0;
   message.vision.wall_distance = crowd::wallDistanceOf(wall_distance);
+  content.motion = crowd::fromFields(motion);
+  message.vision.motion = crowd::requestOf(message.motion_source, content.motion);
   crowd::takeList(stream, content.agents, crowd::WIRE_SELF);
   crowd::takeNeighbours(stream, content.neighbours);
   crowd::takeList(stream, content.walls, crowd::WIRE_WALL);

@@ -28,6 +28,7 @@ struct PerceptionsMessage {
   std_msgs::Header header;
   std::uint64_t run = 0;                      ///< of the publishing controller
   Vision vision;                              ///< of the perceptions
+  std::uint8_t motion_source = 0;             ///< of the motion limits: a constant of the wire type
   std::shared_ptr<const Perceptions> shared;  ///< sent message: the object of the episode
   std::optional<PerceptionRows> rows;         ///< sent message: only these of its agents are serialised; null: all
   Perceptions received;                       ///< deserialised message; used if `shared` is null

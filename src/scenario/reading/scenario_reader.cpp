@@ -125,7 +125,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
       node, place,
       {"name",   "units",     "tick",   "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
        "agents", "obstacles", "walls",  "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
-       "queues", "gates",     "robots", "ends"});
+       "queues", "gates",     "robots", "ends",     "motion"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -139,6 +139,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   scenario.goal_tolerance = map.number("goal_tolerance", limits::DISTANCE);
   scenario.collision_radius = map.number("collision_radius", limits::RADIUS, DEFAULT_COLLISION_RADIUS);
   scenario.contact = CONTACTS.read(map, Contact::GHOST);
+  if (map.has("motion")) scenario.motion = readMotionLimits(map.find("motion"), map.placeOf("motion"));
   scenario.order = ORDERS.read(map, Order::SIMULTANEOUS);
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
   PopulationDescription population = readPopulation(map);

@@ -85,6 +85,7 @@ std::string toDocument(const Scene& scene, const std::string& folder) {
          "\nduration: " + toText(static_cast<double>(scene.max_ticks) * scene.tick_duration) +
          "\ngoal_tolerance: " + toText(scene.goal_tolerance) + "\n" +
          (scene.contact == Contact::SOLID ? "contact: solid\n" : "") +
+         (scene.motion ? "motion: " + toText(*scene.motion) + "\n" : "") +
          (scene.order == Order::SEQUENTIAL ? "order: sequential\n" : "") +
          (scene.collision_radius != DEFAULT_COLLISION_RADIUS
               ? "collision_radius: " + toText(scene.collision_radius) + "\n"

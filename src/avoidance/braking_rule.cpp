@@ -1,0 +1,175 @@
+#include "avoidance/braking_rule.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "avoidance/escape_planner.h"
+#include "avoidance/near_agents.h"
+
+namespace crowd {
+namespace {
+
+/// Regions that overlap by less touch each other: rounding [m].
+constexpr double TOUCHING = 1e-7;
+
+/// Limits the place where each move of a block stops.
+/// @param limit of where it stops
+void cutStop(const MoveLimit& limit, const Perception& seen, MoveBlock& moves) {
+  const double lost = seen.motion.braking * seen.tick_duration;
+  const double per_speed = 1.0 / seen.self.max_speed;
+  const double nx = limit.normal.x();
+  const double ny = limit.normal.y();
+  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
+    const double closing = nx * moves.x[i] + ny * moves.y[i];
+    // The speed v with closing (v T + v^2 / (2 braking)) = max_advance.
+    const double square = lost * lost + 2.0 * seen.motion.braking * limit.max_advance / closing;
+    const double left = (std::sqrt(square) - lost) * per_speed;
+    const bool too_far = (closing > 0.0) & (moves.fraction[i] > left);
+    moves.fraction[i] = too_far ? left : moves.fraction[i];
+  }
+}
+
+}  // namespace
+
+BrakingRule::BrakingRule(const Perception& seen, GapSharing sharing)
+    : seen_(seen), sharing_(sharing), stopping_{Vector2::Zero(), seen.motion.stoppingWay(seen.self.velocity)} {}
+
+/// Calls use(limit) for each limit below a reach [m].
+template <typename Use>
+void BrakingRule::forEachLimit(double reach, const Use& use) const {
+  if (sharing_ == GapSharing::NONE) return;
+  const auto use_if_near = [&](const Limit& limit) {
+    if (limit.max_advance < reach) use(limit);
+  };
+  for (std::size_t first = 0; first < seen_.neighbours.size(); first += NEIGHBOURS_AT_ONCE) {
+    for (NeighbourSet left = findLimiting(first, reach); left != 0; left &= left - 1) {
+      use_if_near(limitOf(seen_.neighbours[first + static_cast<std::size_t>(__builtin_ctz(left))]));
+    }
+  }
+  for (const Segment& wall : seen_.walls) {
+    use_if_near(limitOf(wall, nearestPoint(wall, Vector2::Zero()), 0.0, [](const Gap& gap) { return gap.width; }));
+  }
+}
+
+/// The neighbours first .. first + NEIGHBOURS_AT_ONCE - 1 whose limit may be below a reach [m], as if all of them were
+/// agents: half of the gap, less the motion of the line, is less than the reach. The gap is at least the distance
+/// between the stopping regions along the line between the centres.
+NeighbourSet BrakingRule::findLimiting(std::size_t first, double reach) const {
+  const NeighbourSpan& all = seen_.neighbours;
+  const std::size_t count = std::min(NEIGHBOURS_AT_ONCE, all.size() - first);
+  const double* const xs = all.xs() + first;
+  const double* const ys = all.ys() + first;
+  const double* const vxs = all.vxs() + first;
+  const double* const vys = all.vys() + first;
+  const double* const radii = all.radii() + first;
+  const Vector2 own_way = stopping_.to;
+  const double tick_duration = seen_.tick_duration;
+  const double near = 2.0 * reach + tick_duration * seen_.self.velocity.norm() + seen_.self.radius;
+  const double per_braking = 0.5 / seen_.motion.braking;
+  std::array<double, NEIGHBOURS_AT_ONCE> beyond;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  for (std::size_t i = 0; i < NEIGHBOURS_AT_ONCE; ++i) {  // all lanes: the compiler vectorises it
+    const double distance = std::sqrt(xs[i] * xs[i] + ys[i] * ys[i]);
+    const double speed = std::sqrt(vxs[i] * vxs[i] + vys[i] * vys[i]);
+    const double own = std::max(0.0, xs[i] * own_way.x() + ys[i] * own_way.y());
+    const double its = std::max(0.0, -(xs[i] * vxs[i] + ys[i] * vys[i]) * speed * per_braking);
+    beyond[i] = distance * (distance - near - tick_duration * speed - radii[i]) - own - its;
+  }
+  NeighbourSet limiting = 0;
+  for (std::size_t i = 0; i < NEIGHBOURS_AT_ONCE; ++i) limiting |= NeighbourSet{beyond[i] <= 0.0} << i;
+  limiting &= (NeighbourSet{1} << count) - 1;
+  if (!all.hasObstacles()) return limiting;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!limits(all[first + i])) limiting &= ~(NeighbourSet{1} << i);
+  }
+  return limiting;
+}
+
+/// Whether agents keep out of the reach of such a body: of moving obstacles EscapePlanner keeps them away.
+bool BrakingRule::limits(const Neighbour& other) {
+  if (other.kind == NeighbourKind::OBSTACLE) return !isMovingObstacle(other);
+  return other.kind != NeighbourKind::UNYIELDED_ROBOT;
+}
+
+BrakingRule::Limit BrakingRule::limitOf(const Neighbour& other) const {
+  if (other.kind == NeighbourKind::AGENT) return limitOfAgent(other);
+  const auto share = [&](const Gap& gap) { return gap.width - needOfRobot(gap.normal, seen_, other); };
+  return limitOf({other.position, other.position}, other.position, other.radius, share);
+}
+
+BrakingRule::Limit BrakingRule::limitOfAgent(const Neighbour& other) const {
+  const auto share = [&](const Gap& gap) {
+    const bool moves = sharing_ == GapSharing::MOVING;
+    return 0.5 * gap.width + (moves ? shiftOfLine(gap.width, gap.normal, seen_, other) : 0.0);
+  };
+  const Vector2 stop = other.position + seen_.motion.stoppingWay(other.velocity);
+  return limitOf({other.position, stop}, other.position, other.radius, share);
+}
+
+/// @param its_way of its centre, if it brakes from now on @param share how far the agent may advance into a gap
+template <typename Share>
+BrakingRule::Limit BrakingRule::limitOf(const Segment& its_way, const Vector2& its_place, double its_radius,
+                                        const Share& share) const {
+  Gap gap = gapBetween(closestPoints(stopping_, its_way), its_radius);
+  const bool is_sudden = gap.width < -TOUCHING;
+  if (is_sudden) gap = gapBetween({Vector2::Zero(), its_place}, its_radius);
+  gap.width = std::max(0.0, gap.width);
+  return {{gap.normal, gap.normal.dot(gap.own_point) + std::max(0.0, share(gap) - GAP_MARGIN)}, is_sudden};
+}
+
+/// Without a normal if the centres coincide: then no direction increases the overlap.
+BrakingRule::Gap BrakingRule::gapBetween(const ClosestPoints& points, double other_radius) const {
+  const Vector2 between = points.of_second - points.of_first;
+  const double distance = between.norm();
+  const Vector2 normal = distance > 0.0 ? Vector2(between / distance) : Vector2::Zero();
+  return {normal, distance - seen_.self.radius - other_radius, points.of_first};
+}
+
+void BrakingRule::cut(MoveBlock* moves, std::size_t count) const {
+  for (std::size_t block = 0; block < blocksOf(count); ++block) admitAll(moves[block]);
+  const double step = seen_.self.max_speed * seen_.tick_duration;
+  forEachLimit(seen_.motion.reach(seen_.self.max_speed, seen_.tick_duration), [&](const Limit& limit) {
+    for (std::size_t block = 0; block < blocksOf(count); ++block) {
+      limit.is_sudden ? cutDisplacement(limit, step, moves[block]) : cutStop(limit, seen_, moves[block]);
+    }
+  });
+}
+
+RelativeAction BrakingRule::actionTowards(const CandidateMove& move) const {
+  const double max_speed = seen_.self.max_speed;
+  const Vector2 velocity = velocityTowards(move.fraction * max_speed * move.direction);
+  if (velocity != Vector2::Zero()) return {bearingOf(velocity), std::min(1.0, velocity.norm() / max_speed)};
+  if (move.fraction <= 0.0) return {0.0, 0.0};
+  // It turns on the spot before it walks.
+  const double most = std::min(PI, seen_.motion.turn_rate * seen_.tick_duration);
+  return {std::clamp(bearingOf(move.direction), -most, most), 0.0};
+}
+
+Vector2 BrakingRule::velocityTowards(const Vector2& wanted) const {
+  const MotionLimits& motion = seen_.motion;
+  const Vector2 reached = motion.reachable(seen_.self.velocity, wanted, seen_.tick_duration);
+  const Vector2 braked = motion.braked(seen_.self.velocity, seen_.tick_duration);
+  // The velocities that can be reached are convex, so that all between these two can.
+  const double reach = motion.reach(std::max(reached.norm(), braked.norm()), seen_.tick_duration);
+  double share = 1.0;
+  double checked_share = 0.0;
+  while (share > 0.0 && checked_share != share) {  // a smaller share is not always within a limit that a larger one is
+    checked_share = share;
+    forEachLimit(reach, [&](const Limit& limit) {
+      while (share > 0.0 && !isWithin(limit, braked + share * (reached - braked))) share -= 0.25;
+    });
+  }
+  Vector2 velocity = braked + share * (reached - braked);
+  forEachLimit(reach, [&](const Limit& limit) {
+    const double advance = seen_.tick_duration * limit.normal.dot(velocity);
+    if (limit.is_sudden && advance > limit.max_advance) velocity *= limit.max_advance / advance;
+  });
+  return velocity;
+}
+
+bool BrakingRule::isWithin(const Limit& limit, const Vector2& velocity) const {
+  const Vector2 stop = seen_.tick_duration * velocity + seen_.motion.stoppingWay(velocity);
+  return limit.is_sudden || limit.normal.dot(stop) <= limit.max_advance;
+}
+
+}  // namespace crowd

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+
+#include "avoidance/candidate_move.h"
+#include "avoidance/gap_sharing.h"
+#include "avoidance/move_limit.h"
+#include "avoidance/near_agents.h"
+#include "geometry/closest_points.h"
+#include "world/perception.h"
+#include "world/relative_action.h"
+
+namespace crowd {
+
+/// @brief The separation rule for agents with motion limits (docs/separation_rule.md, Mass): wherever an agent goes in
+/// a tick, it can brake afterwards without leaving its own side of the line that divides the gap.
+///
+/// The gap is that between the stopping regions of two bodies: what each covers if it brakes from now on. So braking is
+/// always admissible. A body that appears within a stopping region is avoided by stopping faster than the motion limits
+/// permit.
+///
+/// Call contract: an object serves one decision of one agent on one thread; the perception must outlive it.
+class BrakingRule {
+ public:
+  BrakingRule(const Perception& seen, GapSharing sharing);
+
+  /// @brief Sets the admissible fraction of each of the first `count` moves, as if the agent could have their
+  /// velocities at once.
+  /// @param moves blocksOf(count) blocks
+  void cut(MoveBlock* moves, std::size_t count) const;
+  /// @brief The action that comes nearest to a move within the motion limits, and is admissible.
+  RelativeAction actionTowards(const CandidateMove& move) const;
+
+ private:
+  /// A gap between two bodies, or their stopping regions, agent frame.
+  struct Gap {
+    Vector2 normal;     // towards the other
+    double width;       // [m]
+    Vector2 own_point;  // of the agent's centre, where the gap is narrowest [m]
+  };
+  /// Upper bound of where the agent stops, in one direction; if it `is_sudden`, of where it is after the tick.
+  struct Limit : MoveLimit {
+    bool is_sudden;
+  };
+
+  template <typename Use>
+  void forEachLimit(double reach, const Use& use) const;
+  NeighbourSet findLimiting(std::size_t first, double reach) const;
+  static bool limits(const Neighbour& other);
+  Limit limitOf(const Neighbour& other) const;
+  Limit limitOfAgent(const Neighbour& other) const;
+  template <typename Share>
+  Limit limitOf(const Segment& its_way, const Vector2& its_place, double its_radius, const Share& share) const;
+  Gap gapBetween(const ClosestPoints& points, double other_radius) const;
+  Vector2 velocityTowards(const Vector2& wanted) const;
+  bool isWithin(const Limit& limit, const Vector2& velocity) const;
+
+  const Perception& seen_;
+  GapSharing sharing_;
+  Segment stopping_;  // way of the agent's centre if it brakes from now on
+};
+
+}  // namespace crowd

@@ -1,0 +1,43 @@
+#include "geometry/closest_points.h"
+
+#include <array>
+
+namespace crowd {
+namespace {
+
+/// A segment as a point and a way from there; the reciprocal of a length of 0 is 0.
+struct Way {
+  explicit Way(const Segment& segment) : from(segment.from), way(segment.to - segment.from) {
+    const double square = way.squaredNorm();
+    per_square = square > 0.0 ? 1.0 / square : 0.0;
+  }
+  Vector2 nearestTo(const Vector2& point) const {
+    return from + std::clamp((point - from).dot(way) * per_square, 0.0, 1.0) * way;
+  }
+
+  Vector2 from;
+  Vector2 way;
+  double per_square;
+};
+
+}  // namespace
+
+/// Segments of the plane that do not cross are closest at an end of one of them.
+ClosestPoints closestPoints(const Segment& first, const Segment& second) {
+  const Way one(first);
+  const Way other(second);
+  const std::array<ClosestPoints, 4> ends = {{{first.from, other.nearestTo(first.from)},
+                                              {first.to, other.nearestTo(first.to)},
+                                              {one.nearestTo(second.from), second.from},
+                                              {one.nearestTo(second.to), second.to}}};
+  std::size_t closest = 0;
+  double smallest = INFINITE;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double square = (ends[i].of_second - ends[i].of_first).squaredNorm();
+    closest = square < smallest ? i : closest;
+    smallest = std::min(square, smallest);
+  }
+  return ends[closest];
+}
+
+}  // namespace crowd

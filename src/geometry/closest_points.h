@@ -1,0 +1,16 @@
+#pragma once
+
+#include "geometry/geometry.h"
+
+namespace crowd {
+
+/// @brief Points of two segments whose distance is the smallest [m].
+struct ClosestPoints {
+  Vector2 of_first;
+  Vector2 of_second;
+};
+
+/// @brief Finds them. Segments that cross have any points.
+ClosestPoints closestPoints(const Segment& first, const Segment& second);
+
+}  // namespace crowd

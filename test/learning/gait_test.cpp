@@ -1,0 +1,90 @@
+#include "learning/actions/gait.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geometry/geometry.h"
+#include "learning/actions/goal_relative_actions.h"
+#include "support/error_of.h"
+#include "support/moves.h"
+#include "support/perceptions.h"
+
+namespace crowd::gait_test {
+namespace {
+
+constexpr double TICK = 0.1;            // [s]
+constexpr double LARGEST_EXTENT = 1.7;  // of an agent
+
+KeyedRandom agentOf(std::uint64_t number) { return {0, KeyedRandom::GAIT, {3, number}}; }
+
+TEST(Gait, StaysWithinItsMaxima) {
+  const Gait gait{5.0, 15.0, 0.08};
+  double most_turn = 0.0;
+  double least_pace = 1.0;
+  for (std::uint64_t agent = 0; agent < 200; ++agent) {
+    for (int tick = 0; tick < 600; ++tick) {
+      const GaitDeviation deviation = gait.at(agentOf(agent), tick * TICK);
+      most_turn = std::max(most_turn, std::abs(deviation.turn));
+      least_pace = std::min(least_pace, deviation.pace);
+      ASSERT_LE(deviation.pace, 1.0);
+    }
+  }
+  EXPECT_LE(toDegrees(most_turn), LARGEST_EXTENT * 20.0);
+  EXPECT_GE(toDegrees(most_turn), 20.0);  // some agents deviate by more than the usual maximum
+  EXPECT_GE(least_pace, 1.0 - LARGEST_EXTENT * 0.08);
+  EXPECT_LE(least_pace, 1.0 - 0.08);
+}
+
+TEST(Gait, ChangesSmoothly) {
+  // A cubic step from -1 to 1 within 0.8 s rises by at most 2 * 1.5 / 8 in a tick.
+  const Gait gait{4.0, 0.0, 0.0};
+  const double most = LARGEST_EXTENT * 4.0 * 2.0 * 1.5 * TICK / 0.8;
+  for (std::uint64_t agent = 0; agent < 50; ++agent) {
+    for (int tick = 0; tick < 300; ++tick) {
+      const double turn = gait.at(agentOf(agent), (tick + 1) * TICK).turn - gait.at(agentOf(agent), tick * TICK).turn;
+      ASSERT_LE(toDegrees(std::abs(turn)), most) << "agent " << agent << ", tick " << tick;
+    }
+  }
+}
+
+TEST(Gait, FavoursNoSide) {
+  const Gait gait{5.0, 15.0, 0.0};
+  double sum = 0.0;
+  for (std::uint64_t agent = 0; agent < 1000; ++agent) {
+    for (int tick = 0; tick < 400; tick += 40) sum += toDegrees(gait.at(agentOf(agent), tick * TICK).turn);
+  }
+  // Uniform values have a variance of 1/3: about 9 degrees, so that the mean of 10,000 is within 0.1 about once.
+  EXPECT_NEAR(sum / 10000.0, 0.0, 0.5);
+}
+
+TEST(Gait, DiffersBetweenAgentsAndIsRepeated) {
+  const Gait gait{5.0, 15.0, 0.08};
+  EXPECT_EQ(gait.at(agentOf(1), 7.3).turn, gait.at(agentOf(1), 7.3).turn);
+  EXPECT_NE(gait.at(agentOf(1), 7.3).turn, gait.at(agentOf(2), 7.3).turn);
+  EXPECT_FALSE(Gait().isOn());
+  EXPECT_EQ(Gait().at(agentOf(1), 7.3).turn, 0.0);
+  EXPECT_EQ(Gait().at(agentOf(1), 7.3).pace, 1.0);
+}
+
+std::string textOf(const std::string& yaml) { return toText(readGait(YAML::Load(yaml), {"file.yaml", 0, "gait"})); }
+
+TEST(Gait, IsRead) {
+  EXPECT_EQ(textOf("{sway: 5, wander: 15, pace: 0.08}"), "{sway: 5, wander: 15, pace: 0.08}");
+  EXPECT_EQ(textOf("{wander: 15}"), "{sway: 0, wander: 15, pace: 0}");
+  EXPECT_TRUE(contains(errorOf<InputError>([] { textOf("{sway: -1}"); }), "gait.sway"));
+  EXPECT_TRUE(contains(errorOf<InputError>([] { textOf("{pace: 2}"); }), "gait.pace"));
+  EXPECT_TRUE(contains(errorOf<InputError>([] { textOf("{sigh: 1}"); }), "sigh"));
+}
+
+TEST(Gait, ActsOnAgentsWithMotionLimitsOnly) {
+  GoalRelativeActions::Parameters parameters;
+  parameters.gait = {5.0, 15.0, 0.08};
+  const GoalRelativeActions with(parameters);
+  const auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0});
+  EXPECT_EQ(relativeAction(with, scene.perception(), 0).rotation, 0.0);
+  EXPECT_EQ(relativeAction(with, scene.perception(), 0).speed_fraction, 1.0);
+}
+
+}  // namespace
+}  // namespace crowd::gait_test
