@@ -98,15 +98,15 @@ double EscapePlanner::blockedAfter(const Vector2& start, const Vector2& velocity
   return time;
 }
 
-/// Time until the agent comes within the clearance of a moving obstacle if it makes a move [s].
-double EscapePlanner::timeToTouch(const CandidateMove& move, const Case& a_case) const {
+/// Time until the agent comes within the clearance of a moving obstacle at a velocity [s].
+double EscapePlanner::timeToTouch(const Vector2& velocity, const Case& a_case) const {
   double time = NEVER;
   for (std::size_t i = 0; i < perception_.neighbours.size(); ++i) {
     const Neighbour neighbour = perception_.neighbours[i];
     if (!isMovingObstacle(neighbour)) continue;
     const double reach = perception_.self.radius + neighbour.radius + CLEARANCE;
     time =
-        std::min(time, timeToCollision(neighbour.position, velocityOf(move) - a_case.velocityOf(i, neighbour), reach));
+        std::min(time, timeToCollision(neighbour.position, velocity - a_case.velocityOf(i, neighbour), reach));
   }
   return time;
 }
@@ -129,20 +129,28 @@ double EscapePlanner::clearTimeFrom(const Vector2& start, const Vector2& velocit
   return clear;
 }
 
+/// By how much an agent that changes its velocity stays behind one that has the new one at once [m].
+Vector2 EscapePlanner::lag(const Vector2& from, const Vector2& to) const {
+  const MotionLimits& motion = perception_.motion;
+  const Vector2 change = from - to;
+  return change.norm() / (2.0 * std::min(motion.acceleration, motion.braking)) * change;
+}
+
 /// Longest time for which a straight path after the move is clear of moving obstacles, at most `lookout` [s].
 double EscapePlanner::clearTime(const CandidateMove& move, Case& a_case) const {
   const double tick = perception_.tick_duration;
-  const double touched = timeToTouch(move, a_case);
+  const Vector2 wanted = velocityOf(move);
+  const Vector2 velocity = perception_.motion.reachable(perception_.self.velocity, wanted, tick);
+  const double touched = timeToTouch(velocity, a_case);
   if (touched < tick) return touched;
-  const Vector2 velocity = velocityOf(move);
   const Vector2 end = tick * velocity;
-  double longest = tick + clearTimeFrom(end, velocity, a_case);
+  double longest = tick + clearTimeFrom(end + lag(velocity, wanted), wanted, a_case);
   for (std::size_t i = 0; i < straight_move_count_ && longest < lookout_; ++i) {
     // The last escape is likely to be one for this move, too: the positions differ little.
     const std::size_t next = (a_case.last_path + i) % straight_move_count_;
     const CandidateMove straight = straightMove(next);
     const Vector2 onwards = straight.wanted * perception_.self.max_speed * straight.direction;
-    longest = std::max(longest, tick + clearTimeFrom(end, onwards, a_case));
+    longest = std::max(longest, tick + clearTimeFrom(end + lag(velocity, onwards), onwards, a_case));
     if (longest >= lookout_) a_case.last_path = next;
   }
   return std::min(longest, lookout_);

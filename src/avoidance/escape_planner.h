@@ -64,7 +64,8 @@ class EscapePlanner {
   }
   double safety(const CandidateMove& move);
   double clearTime(const CandidateMove& move, Case& a_case) const;
-  double timeToTouch(const CandidateMove& move, const Case& a_case) const;
+  double timeToTouch(const Vector2& velocity, const Case& a_case) const;
+  Vector2 lag(const Vector2& from, const Vector2& to) const;
   double clearTimeFrom(const Vector2& start, const Vector2& velocity, const Case& a_case) const;
   double blockedAfter(const Vector2& start, const Vector2& velocity) const;
   CandidateMove straightMove(std::size_t i) const { return moveAt(straight_moves_.data(), i); }

@@ -30,6 +30,7 @@ Vector2 MotionLimits::braked(const Vector2& velocity, double tick_duration) cons
 }
 
 Vector2 MotionLimits::reachable(const Vector2& velocity, const Vector2& wanted, double tick_duration) const {
+  if (!areOn()) return wanted;
   const Vector2 change = wanted - velocity;
   const double speed = velocity.norm();
   const Vector2 ahead = speed > 0.0 ? Vector2(velocity / speed) : Vector2::UnitX();

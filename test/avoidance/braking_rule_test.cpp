@@ -73,9 +73,9 @@ TEST(BrakingRule, CutsToTheSpeedFromWhichItStopsBeforeTheGapEnds) {
   for (const double speed : {0.0, 0.3, 0.6}) {
     EXPECT_NEAR(share(beforeWall(0.12, speed)), 0.5, 1e-6) << speed;  // 0.6 m/s
     EXPECT_NEAR(share(beforeObstacle(0.12, speed)), 0.5, 1e-6) << speed;
-    EXPECT_NEAR(share(beforeWall(0.045, speed)), 0.25, 1e-6) << speed;  // 0.3 m/s: 0.03 m and 0.015 m
   }
-  EXPECT_EQ(share(beforeWall(0.361, 0.0)), 1.0);  // 1.2 m/s: 0.12 m and 0.24 m
+  EXPECT_NEAR(share(beforeWall(0.045, 0.3)), 0.25, 1e-6);  // 0.3 m/s: 0.03 m and 0.015 m
+  EXPECT_EQ(share(beforeWall(0.361, 0.0)), 1.0);           // 1.2 m/s: 0.12 m and 0.24 m
   EXPECT_NEAR(share(beforeWall(0.36, 0.0)), 1.0, 1e-6);
   EXPECT_EQ(share(beforeWall(0.0, 0.0)), 0.0);
 }
@@ -83,6 +83,7 @@ TEST(BrakingRule, CutsToTheSpeedFromWhichItStopsBeforeTheGapEnds) {
 TEST(BrakingRule, HalfOfTheGapToAnAgentAtRest) {
   EXPECT_NEAR(share(facing(0.24, 0.0)), 0.5, 1e-6);
   EXPECT_NEAR(share(facing(0.09, 0.0)), 0.25, 1e-6);
+  EXPECT_NEAR(share(facing(0.5775, 0.0)), 0.875, 1e-6);  // 1.05 m/s: 0.105 m and 0.18375 m
   EXPECT_EQ(share(facing(0.0, 0.0)), 0.0);
   EXPECT_EQ(share(facing(0.001, 0.0), GapSharing::NONE), 1.0);
 }
@@ -117,7 +118,7 @@ TEST(BrakingRule, ActionsKeepTheLimits) {
   expectVector(towards(walker(1.1)), 1.2, 0.0);
   expectVector(towards(walker(0.6), -Vector2::UnitX()), 0.3, 0.0);
   expectVector(towards(walker(0.6), -Vector2::UnitX(), GapSharing::NONE), 0.3, 0.0);
-  EXPECT_EQ(towards(walker(0.3), -Vector2::UnitX()).x(), 0.0);  // 0, or less by rounding
+  expectVector(towards(walker(0.3), -Vector2::UnitX()), 0.0, 0.0);
 }
 
 TEST(BrakingRule, StayingBrakesAndKeepsTheHeading) {
@@ -145,10 +146,12 @@ TEST(BrakingRule, BrakesAsHardAsItCanWhereOnlyTheStoppingWayIsLeft) {
 
 TEST(BrakingRule, ActionsGoOnAsFarAsTheGapAllows) {
   // 0.36 m for 1.2 m/s; the shares of the way from the braked speed, 0.9 m/s, to that are quarters.
+  // 0.36 m at 1.2 m/s; 0.3234 m at three quarters of the way from the braked speed, 0.9 m/s, to that.
   expectVector(towards(beforeWall(0.3601, 1.2)), 1.2, 0.0);
-  expectVector(towards(beforeWall(0.3001, 1.2)), 1.05, 0.0);  // 0.105 m and 0.18375 m; 1.125: 0.1125 m and 0.2109 m
-  expectVector(towards(beforeWall(0.24 + 0.02, 1.2)), 0.9,
-               0.0);  // 0.975 m/s: 0.0975 m and 0.1584 m, if it were 0.256 m
+  expectVector(towards(beforeWall(0.3599, 1.2)), 1.125, 0.0);
+  expectVector(towards(beforeWall(0.3235, 1.2)), 1.125, 0.0);  // 0.1125 m and 0.2109 m
+  expectVector(towards(beforeWall(0.3233, 1.2)), 1.05, 0.0);
+  expectVector(towards(beforeWall(0.25, 1.2)), 0.9, 0.0);  // 0.2559 m at 0.975 m/s
 }
 
 /// A fast agent that somebody was placed in front of, so that it cannot stop in time.
@@ -161,26 +164,30 @@ TEST(BrakingRule, StopsFasterThanItCanBeforeSomebodyWhoAppears) {
   EXPECT_NEAR(share(facing(0.1, 1.2)), 0.5 / 1.2, 1e-6);
 }
 
-/// Two agents whose ways, if both brake from now on, cross in the middle. Their bodies are 0.54 m apart.
+/// Runs a tick in which agents want to walk straight on at full speed.
+void walkOn(World& world, GapSharing sharing) {
+  const SeparationRule rule(sharing, LOOKOUT);
+  const Perceptions seen = lookAround(world);
+  std::vector<AgentAction> actions;
+  for (std::size_t i = 0; i < seen.agents.size(); ++i) {
+    actions.push_back({seen.agents[i].agent, rule.actionTowards({seen, i}, {Vector2::UnitX(), 1.0, 1.0})});
+  }
+  world.step(actions);
+}
+
+/// Their ways, if both brake from now on, cross in the middle; their bodies are 0.54 m apart.
 TEST(BrakingRule, StopsForAnAgentWhoseWayCrossesItsOwn) {
-  World world(scenes::scene({scenes::wanderer({0.0, 0.0}, 2.5, 0.1), scenes::wanderer({0.52, -0.52}, 2.5, 0.1)}));
-  world.step({{1, {0.5 * PI, 0.0}}});
-  const auto at_full_speed = [&] {  // one tick without limits, from where they were: appears at full speed
-    std::vector<Agent> agents(world.agents().begin(), world.agents().end());
-    for (Agent& agent : agents) agent.velocity = 2.5 * agent.ahead;
-    WorldEditor(world).replaceAgents(agents);
-  };
-  at_full_speed();
-  world.setMotion(LIMITS);
-  const SeparationRule rule(GapSharing::HALF, LOOKOUT);
-  for (int tick = 0; tick < 20; ++tick) {
-    const Perceptions seen = lookAround(world);
-    std::vector<AgentAction> actions;
-    for (AgentId id = 0; id < 2; ++id)
-      actions.push_back({id, rule.actionTowards({seen, id}, {Vector2::UnitX(), 1, 1})});
-    world.step(actions);
-    const Vector2 between = world.agents()[0].pose.position - world.agents()[1].pose.position;
-    ASSERT_GE(between.norm(), 0.2 - TOUCH_TOLERANCE) << "tick " << tick;
+  for (const GapSharing sharing : {GapSharing::HALF, GapSharing::MOVING}) {
+    const Vector2 below(0.52, -0.52 - 0.25);
+    World world(
+        scenes::scene({scenes::wanderer({-0.25, 0.0}, 2.5, 0.1), scenes::agent(below, {0.52, 99.0}, 2.5, 0.1)}));
+    world.step({ahead(0), ahead(1)});  // as if a wall had hidden each from the other until now
+    world.setMotion(LIMITS);
+    for (int tick = 0; tick < 20; ++tick) {
+      walkOn(world, sharing);
+      const Vector2 between = world.agents()[0].pose.position - world.agents()[1].pose.position;
+      ASSERT_GE(between.norm(), 0.2 - TOUCH_TOLERANCE) << GAP_SHARINGS.nameOf(sharing) << ", tick " << tick;
+    }
   }
 }
 
@@ -233,13 +240,13 @@ struct Worst {
   double speed = 0.0;     // highest [m/s]
 };
 
-/// Compares the agents with those of the tick before.
-void note(const std::vector<Agent>& before, const World& world, Worst& worst) {
+/// Compares the agents that answered, of which some are held, with those of the tick before.
+void note(const std::vector<Agent>& before, const std::vector<AgentAction>& answers, const World& world, Worst& worst) {
   worst.overlap = std::max(worst.overlap, deepestOverlap(world));
-  for (const Agent& was : before) {
-    const Agent& agent = world.agents()[was.id];
+  for (const AgentAction& answer : answers) {
+    const Agent& was = before[answer.agent];
+    const Agent& agent = world.agents()[answer.agent];
     worst.speed = std::max(worst.speed, agent.velocity.norm());
-    if (!agent.acted && !agent.held) continue;
     worst.change = std::max(worst.change, (agent.velocity - was.velocity).norm());
     worst.turn = std::max(worst.turn, std::abs(wrapAngle(agent.pose.heading - was.pose.heading)));
   }
@@ -261,7 +268,7 @@ Worst walk(const Walk& how, std::uint64_t seed) {
   World world(denseScene(seed));
   world.setMotion(how.limits);
   Worst worst;
-  for (std::uint64_t tick = 0; tick < 150; ++tick) {
+  for (std::uint64_t tick = 0; tick < 100; ++tick) {
     const Perceptions seen = perceive(world);
     std::vector<AgentAction> actions;
     for (std::size_t i = 0; i < seen.agents.size(); ++i) {
@@ -274,7 +281,7 @@ Worst walk(const Walk& how, std::uint64_t seed) {
     }
     const std::vector<Agent> before(world.agents().begin(), world.agents().end());
     world.step(actions);
-    note(before, world, worst);
+    note(before, actions, world, worst);
   }
   return worst;
 }
@@ -283,10 +290,10 @@ const std::vector<MotionLimits> ALL_LIMITS = {{2.0, 3.0, INFINITE},        {3.0,
                                               {1.0, 6.0, INFINITE},        {6.0, 2.0, INFINITE},
                                               {2.0, 3.0, toRadians(90.0)}, {3.0, 3.0, toRadians(360.0)}};
 
-/// Walks with all limits and 20 seeds; expects no contacts, and changes of velocity within the limits.
-void expectSafe(Walk how) {
+/// Walks with several limits and 20 seeds; expects no contacts, and changes of velocity within the limits.
+void expectSafe(Walk how, const std::vector<MotionLimits>& several) {
   double top_speed = 0.0;
-  for (const MotionLimits& limits : ALL_LIMITS) {
+  for (const MotionLimits& limits : several) {
     how.limits = limits;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       SCOPED_TRACE(std::string(GAP_SHARINGS.nameOf(how.sharing)) + ", " + toText(limits) + ", seed " +
@@ -302,15 +309,14 @@ void expectSafe(Walk how) {
 }
 
 TEST(BrakingRule, PreventsAllContactsWithinTheLimits) {
-  for (const GapSharing sharing : {GapSharing::HALF, GapSharing::MOVING}) expectSafe({sharing, {}, 0.0, 0.0});
+  for (const GapSharing sharing : {GapSharing::HALF, GapSharing::MOVING})
+    expectSafe({sharing, {}, 0.0, 0.0}, ALL_LIMITS);
 }
 
-TEST(BrakingRule, DoesSoIfSomeAgentsAreHeld) {
-  for (const GapSharing sharing : {GapSharing::HALF, GapSharing::MOVING}) expectSafe({sharing, {}, 0.0, 0.2});
-}
-
-TEST(BrakingRule, DoesSoIfSomeDoNotAnswer) {
-  for (const GapSharing sharing : {GapSharing::HALF, GapSharing::MOVING}) expectSafe({sharing, {}, 0.05, 0.0});
+TEST(BrakingRule, DoesSoIfSomeAreHeldAndSomeDoNotAnswer) {
+  for (const GapSharing sharing : {GapSharing::HALF, GapSharing::MOVING}) {
+    expectSafe({sharing, {}, 0.05, 0.2}, {{2.0, 3.0, INFINITE}, {1.0, 6.0, INFINITE}, {2.0, 3.0, 1.5}});
+  }
 }
 
 TEST(BrakingRule, TheSameCrowdHasContactsWithoutIt) {
@@ -334,11 +340,8 @@ TEST(BrakingRule, HasNoContactWithSomebodyWhoIsPlacedInFrontOfAFastAgent) {
       teleportInFront(world, 1, 0, gap);
       double hardest = 0.0;
       for (int tick = 0; tick < 30; ++tick) {
-        const Perceptions seen = lookAround(world);
         const double speed = world.agents()[0].velocity.norm();
-        const SeparationRule rule(sharing, LOOKOUT);
-        world.step({{0, rule.actionTowards({seen, 0}, {Vector2::UnitX(), 1.0, 1.0})},
-                    {1, rule.actionTowards({seen, 1}, {Vector2::UnitX(), 1.0, 1.0})}});
+        walkOn(world, sharing);
         hardest = std::max(hardest, speed - world.agents()[0].velocity.norm());
         ASSERT_LE(deepestOverlap(world), TOUCH_TOLERANCE) << "tick " << tick;
       }
@@ -375,7 +378,7 @@ TEST(BrakingRule, HasNoContactsInACrowdWhereSomeAppear) {
       if (before <= 0.0) worst = std::max(worst, deepestOverlap(world));
     }
     EXPECT_LE(worst, TOUCH_TOLERANCE) << "seed " << seed;
-    EXPECT_GT(placed, 10) << "seed " << seed;
+    EXPECT_GT(placed, 3) << "seed " << seed;
   }
 }
 

@@ -79,5 +79,37 @@ TEST(GoalRelativeActions, AgreesWithItsSpec) {
       contains(error("{type: goal_relative, gap_sharing: third}"), "expected none, half or moving, got 'third'"));
 }
 
+TEST(GoalRelativeActions, MotionLimitsArePartOfTheSpecIfTheyAreOn) {
+  const auto read = [](const std::string& yaml) {
+    return makeActionSet(YAML::Load(yaml), {"file.yaml", 0, "action_set"});
+  };
+  const std::string spec = GoalRelativeActions().spec();
+  EXPECT_FALSE(contains(spec, "motion"));
+  EXPECT_EQ(read(spec)->motion(), MotionLimits());
+  const std::string start = spec.substr(0, spec.size() - 1) + ", motion: ";
+  for (const std::string motion :
+       {"{acceleration: 3, braking: 3}", "{acceleration: 2.5, braking: 6, turn_rate: 1.75}"}) {
+    EXPECT_EQ(specOf(start + motion + "}"), start + motion + "}");
+  }
+  EXPECT_EQ(read(start + "{acceleration: 2.5, braking: 6, turn_rate: 1.75}}")->motion(),
+            (MotionLimits{2.5, 6.0, 1.75}));
+  EXPECT_EQ(specOf(start + "unlimited}"), spec);
+  EXPECT_TRUE(contains(errorOf<InputError>([&] { specOf(start + "{acceleration: 3}}"); }),
+                       "action_set.motion: the key 'braking' is missing"));
+}
+
+/// The limits in force are those of the perceptions, whatever those of the set.
+TEST(GoalRelativeActions, ActionsKeepTheMotionLimitsOfThePerception) {
+  const GoalRelativeActions goal_relative;
+  auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).speed(1.3);
+  EXPECT_EQ(relativeAction(goal_relative, scene.perception(), 0).speed_fraction, 1.0);
+  scene.motion({2.0, 3.0, INFINITE});
+  EXPECT_NEAR(1.3 * relativeAction(goal_relative, scene.perception(), 0).speed_fraction, 0.2, 1e-12);
+  scene.walking({0.65, 0.0});
+  EXPECT_NEAR(1.3 * relativeAction(goal_relative, scene.perception(), 0).speed_fraction, 0.85, 1e-12);
+  const Action stay = goal_relative.size() - 1;
+  EXPECT_NEAR(1.3 * relativeAction(goal_relative, scene.perception(), stay).speed_fraction, 0.35, 1e-12);
+}
+
 }  // namespace
 }  // namespace crowd::goal_relative_actions_test

@@ -42,7 +42,7 @@ class MotionTestCase(WalkTestCase):
 class ReportedLimitsTest(MotionTestCase):
     """The limits of the perceptions depend on the reports of learners and on the scenario."""
 
-    def start(self, motion=''):
+    def start_reported(self, motion=''):
         """Starts a controller and a learner that reports nothing."""
         self.statuses = {}
         self.perceptions = self.listen('perceptions', Perceptions)
@@ -62,7 +62,7 @@ class ReportedLimitsTest(MotionTestCase):
         self.statuses[learner].publish(status)
 
     def test_the_highest_limits_of_all_learners(self):
-        self.start()
+        self.start_reported()
         self.expect(Perceptions.MOTION_UNKNOWN, (0.0, 0.0, 0.0))
         self.report('/a', 2.0, 3.0, 4.0)
         self.expect(Perceptions.MOTION_OF_LEARNERS, (2.0, 3.0, 4.0))
@@ -72,12 +72,12 @@ class ReportedLimitsTest(MotionTestCase):
         self.expect(Perceptions.MOTION_OF_LEARNERS, (0.0, 0.0, 0.0))
 
     def test_limits_of_the_scenario_come_first(self):
-        self.start('motion: {acceleration: 1.5, braking: 2}\n')
+        self.start_reported('motion: {acceleration: 1.5, braking: 2}\n')
         self.report('/a', 2.0, 3.0, 4.0)
         self.expect(Perceptions.MOTION_OF_SCENARIO, (1.5, 2.0, 0.0))
 
     def test_invalid_limits_are_ignored(self):
-        self.start()
+        self.start_reported()
         for wrong in ((-1.0, 3.0, 0.0), (2.0, 0.0, 0.0), (float('nan'), 3.0, 0.0)):
             self.report('/a', *wrong)
         self.report('/b', 2.0, 3.0, 0.0)

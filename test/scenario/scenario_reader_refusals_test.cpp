@@ -31,7 +31,7 @@ TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
             "tick, duration, "
             "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls, map, free_radius, "
             "way_finding, routes, "
-            "sources, sinks, queues, gates, robots, ends");
+            "sources, sinks, queues, gates, robots, ends, motion");
   EXPECT_EQ(errorOf("name: n\nduration: 60\n" + std::string(AGENTS)),
             "s.yaml: document 1, line 1: the key 'goal_tolerance' is missing");
   EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], radius: 0.2"),
@@ -70,6 +70,18 @@ TEST(ScenarioReader, RefusesWrongNumbersOfAScenario) {
             std::string::npos);
   EXPECT_NE(error("name: ''\nduration: 60\ngoal_tolerance: 0.3\n").find("line 1: name: expected a name"),
             std::string::npos);
+}
+
+TEST(ScenarioReader, RefusesWrongMotionLimits) {
+  const auto error = [](const std::string& value) {
+    return errorOf(std::string(HEAD) + AGENTS + "motion: " + value + "\n");
+  };
+  const std::string place = "s.yaml: document 1, line 5: motion";
+  EXPECT_EQ(error("{acceleration: 3}"), place + ": the key 'braking' is missing");
+  EXPECT_EQ(error("{acceleration: 3, braking: -3}"), place + ".braking: expected a number above 0, got '-3'");
+  EXPECT_EQ(error("slow"), place + ": expected a map with acceleration and braking, or unlimited, got 'slow'");
+  EXPECT_EQ(error("{acceleration: 3, breaking: 3}"),
+            place + ": unknown key 'breaking', did you mean 'braking'? Known are acceleration, braking, turn_rate");
 }
 
 TEST(ScenarioReader, RefusesWrongAgents) {

@@ -83,6 +83,14 @@ TEST(ScenarioReader, CountsTheTicksOfADuration) {
   EXPECT_EQ(ticks("duration: 1\ntick: 0.3\n"), 3U);
 }
 
+TEST(ScenarioReader, ReadsMotionLimits) {
+  const auto motion = [](const std::string& entry) { return sceneOf(std::string(HEAD) + entry + AGENTS).motion; };
+  EXPECT_FALSE(motion("").has_value());
+  EXPECT_EQ(motion("motion: {acceleration: 2, braking: 3, turn_rate: 1.75}\n"), (MotionLimits{2.0, 3.0, 1.75}));
+  EXPECT_EQ(motion("motion: {acceleration: 2, braking: 3}\n"), (MotionLimits{2.0, 3.0, INFINITE}));
+  EXPECT_EQ(motion("motion: unlimited\n"), MotionLimits());
+}
+
 TEST(ScenarioReader, ReadsHeadingsAsDegrees) {
   const Scene scene = sceneOf(std::string(HEAD) +
                               "agents:\n"

@@ -25,6 +25,7 @@ void expectSame(const Scene& got, const Scene& expected) {
   EXPECT_EQ(got.goal_tolerance, expected.goal_tolerance);
   EXPECT_EQ(got.contact, expected.contact);
   EXPECT_EQ(got.order, expected.order);
+  EXPECT_EQ(got.motion, expected.motion);
   EXPECT_EQ(got.collision_radius, expected.collision_radius);
   ASSERT_EQ(got.agents.size(), expected.agents.size());
   for (std::size_t i = 0; i < got.agents.size(); ++i) {
@@ -91,6 +92,14 @@ TEST(SceneDocument, ReadsBackOrderAndCollisionRadius) {
   scene.order = Order::SEQUENTIAL;
   scene.collision_radius = 0.35;
   expectSame(readBack(scene), scene);
+}
+
+TEST(SceneDocument, ReadsBackMotionLimits) {
+  Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
+  for (const MotionLimits& motion : {MotionLimits{2.0, 3.0, INFINITE}, MotionLimits{2.0, 3.0, 1.75}, MotionLimits()}) {
+    scene.motion = motion;
+    expectSame(readBack(scene), scene);
+  }
 }
 
 TEST(SceneDocument, ReadsBackDrawnScenes) {

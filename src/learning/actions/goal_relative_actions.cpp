@@ -88,7 +88,8 @@ RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const
                                                    Action action) const {
   const CandidateMove move = moveAt(moves, action);
   if (!seen.motion.areOn()) return toAction(move);
-  if (!parameters_.gait.isOn()) return rule_.actionTowards(seen, move);
+  // An escape from a moving obstacle leaves no space for deviations.
+  if (!parameters_.gait.isOn() || rule_.mustEscape(seen)) return rule_.actionTowards(seen, move);
   return rule_.actionTowards(seen, deviate(move, parameters_.gait, seen));
 }
 

@@ -21,6 +21,7 @@ PerceptionsMessage::ConstPtr selected(const PerceptionsMessage& all, PerceptionR
   message->header = all.header;
   message->run = all.run;
   message->vision = all.vision;
+  message->motion_source = all.motion_source;
   message->shared = all.shared;
   message->rows = std::move(rows);
   return message;
