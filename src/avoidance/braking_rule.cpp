@@ -11,7 +11,7 @@ namespace crowd {
 namespace {
 
 /// Regions that overlap by less touch each other: rounding [m].
-constexpr double TOUCHING = 1e-7;
+constexpr double TOUCHING = 1e-10;
 
 /// Limits the place where each move of a block stops.
 /// @param limit of where it stops
@@ -168,8 +168,9 @@ Vector2 BrakingRule::velocityTowards(const Vector2& wanted) const {
 }
 
 bool BrakingRule::isWithin(const Limit& limit, const Vector2& velocity) const {
+  if (limit.is_sudden) return limit.normal.dot(velocity) <= 0.0;  // else it brakes
   const Vector2 stop = seen_.tick_duration * velocity + seen_.motion.stoppingWay(velocity);
-  return limit.is_sudden || limit.normal.dot(stop) <= limit.max_advance;
+  return limit.normal.dot(stop) <= limit.max_advance;
 }
 
 }  // namespace crowd

@@ -105,8 +105,7 @@ double EscapePlanner::timeToTouch(const Vector2& velocity, const Case& a_case) c
     const Neighbour neighbour = perception_.neighbours[i];
     if (!isMovingObstacle(neighbour)) continue;
     const double reach = perception_.self.radius + neighbour.radius + CLEARANCE;
-    time =
-        std::min(time, timeToCollision(neighbour.position, velocity - a_case.velocityOf(i, neighbour), reach));
+    time = std::min(time, timeToCollision(neighbour.position, velocity - a_case.velocityOf(i, neighbour), reach));
   }
   return time;
 }

@@ -20,12 +20,22 @@ struct Way {
   double per_square;
 };
 
+/// Whether the ends of a segment are on different sides of the line of the other one.
+bool isOnBothSides(const Way& line, const Segment& segment) {
+  return cross(line.way, segment.from - line.from) * cross(line.way, segment.to - line.from) < 0.0;
+}
+
 }  // namespace
 
 /// Segments of the plane that do not cross are closest at an end of one of them.
 ClosestPoints closestPoints(const Segment& first, const Segment& second) {
   const Way one(first);
   const Way other(second);
+  if (isOnBothSides(one, second) && isOnBothSides(other, first)) {
+    const double share = cross(other.from - one.from, other.way) / cross(one.way, other.way);
+    const Vector2 common = one.from + share * one.way;
+    return {common, common};
+  }
   const std::array<ClosestPoints, 4> ends = {{{first.from, other.nearestTo(first.from)},
                                               {first.to, other.nearestTo(first.to)},
                                               {one.nearestTo(second.from), second.from},

@@ -11,14 +11,17 @@ namespace {
 
 constexpr const char* UNLIMITED = "unlimited";
 
-/// The last point of the way from `from`, on the x axis, to `to` that is within an angle [rad] of the x axis.
+/// The last velocity on the way from one to another that is within an angle [rad] of the heading, the x axis. The first
+/// one is, unless the agent was pushed; then it may have to stand.
 Vector2 withinAngle(const Vector2& from, const Vector2& to, double angle) {
-  if (std::abs(bearingOf(to)) <= angle) return to;
-  if (angle >= 0.5 * PI) return {0.0, 0.0};  // it stands before it goes on in another direction
-  const double side = to.y() < 0.0 ? -1.0 : 1.0;
-  const Vector2 outward(-std::sin(angle), side * std::cos(angle));  // across the boundary on the side of `to`
-  const double before = -outward.dot(from);
-  return from + std::clamp(before / (before + outward.dot(to)), 0.0, 1.0) * (to - from);
+  if (to == Vector2::Zero() || std::abs(bearingOf(to)) <= angle) return to;
+  if (angle >= 0.5 * PI) return Vector2::Zero();
+  const Vector2 boundary(std::cos(angle), to.y() < 0.0 ? -std::sin(angle) : std::sin(angle));
+  const double before = std::abs(cross(boundary, from));
+  const double after = std::abs(cross(boundary, to));
+  const Vector2 last = from + before / (before + after) * (to - from);
+  // Projected, because rounding gives a velocity of almost 0 any direction.
+  return std::max(0.0, boundary.dot(last)) * boundary;
 }
 
 }  // namespace
@@ -40,7 +43,7 @@ Vector2 MotionLimits::reachable(const Vector2& velocity, const Vector2& wanted, 
   const double most_across = tick_duration * acceleration;
   const double excess = std::hypot(along / most_along, cross(ahead, change) / most_across);
   const Vector2 reached = excess > 1.0 ? Vector2(velocity + change / excess) : wanted;
-  return withinAngle(velocity, reached, turn_rate * tick_duration);
+  return turn_rate < INFINITE ? withinAngle(velocity, reached, turn_rate * tick_duration) : reached;
 }
 
 MotionLimits widest(const MotionLimits& a, const MotionLimits& b) {

@@ -23,7 +23,7 @@ struct Vision {
   /// Maximum distance from the agent's rim to a wall, as far as that is within `radius` of its centre [m].
   double wall_distance = std::numeric_limits<double>::infinity();
   /// Of the agents, unless the scene has its own: each must know those of the others. Nothing if no model has said it.
-  std::optional<MotionLimits> motion;
+  std::optional<MotionLimits> motion = std::nullopt;
 
   /// @brief Maximum distance from an agent's centre to a wall [m]. Walls that it could touch count, too.
   /// @param body_radius of the agent [m] @param reach the longest way until it stands again [m]

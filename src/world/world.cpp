@@ -155,7 +155,7 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
   beginMove(agent, action);
   robots_.hold();
   if (contact_ == Contact::GHOST) robots_.noteGhostContacts({&agent, 1}, tick_duration_);
-  if (agent.acted && contact_ == Contact::SOLID) {
+  if ((agent.acted || agent.velocity != Vector2::Zero()) && contact_ == Contact::SOLID) {
     const auto is_it = [position](std::size_t body) { return body == position; };
     computeSolidMotions(is_it);
     carryOutSolidMotions(is_it);
