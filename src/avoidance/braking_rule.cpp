@@ -137,12 +137,20 @@ void BrakingRule::cut(MoveBlock* moves, std::size_t count) const {
 
 RelativeAction BrakingRule::actionTowards(const CandidateMove& move) const {
   const double max_speed = seen_.self.max_speed;
-  const Vector2 velocity = velocityTowards(move.fraction * max_speed * move.direction);
+  const Vector2 velocity = velocityTowards(velocityOf(move));
   if (velocity != Vector2::Zero()) return {bearingOf(velocity), std::min(1.0, velocity.norm() / max_speed)};
   if (move.fraction <= 0.0) return {0.0, 0.0};
   // It turns on the spot before it walks.
   const double most = std::min(PI, seen_.motion.turn_rate * seen_.tick_duration);
   return {std::clamp(bearingOf(move.direction), -most, most), 0.0};
+}
+
+bool BrakingRule::isFree(const CandidateMove& move) const {
+  const Vector2 reached = seen_.motion.reachable(seen_.self.velocity, velocityOf(move), seen_.tick_duration);
+  bool is_free = true;
+  forEachLimit(seen_.motion.reach(reached.norm(), seen_.tick_duration),
+               [&](const Limit& limit) { is_free = is_free && isWithin(limit, reached); });
+  return is_free;
 }
 
 Vector2 BrakingRule::velocityTowards(const Vector2& wanted) const {

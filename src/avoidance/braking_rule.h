@@ -30,6 +30,8 @@ class BrakingRule {
   void cut(MoveBlock* moves, std::size_t count) const;
   /// @brief The action that comes nearest to a move within the motion limits, and is admissible.
   RelativeAction actionTowards(const CandidateMove& move) const;
+  /// @brief Whether a move is admissible as far as the motion limits permit it.
+  bool isFree(const CandidateMove& move) const;
 
  private:
   /// A gap between two bodies, or their stopping regions, agent frame.
@@ -53,6 +55,7 @@ class BrakingRule {
   Limit limitOf(const Segment& its_way, const Vector2& its_place, double its_radius, const Share& share) const;
   Gap gapBetween(const ClosestPoints& points, double other_radius) const;
   Vector2 velocityTowards(const Vector2& wanted) const;
+  Vector2 velocityOf(const CandidateMove& move) const { return move.fraction * seen_.self.max_speed * move.direction; }
   bool isWithin(const Limit& limit, const Vector2& velocity) const;
 
   const Perception& seen_;

@@ -173,6 +173,10 @@ RelativeAction SeparationRule::actionTowards(const Perception& perception, const
   return BrakingRule(perception, sharing_).actionTowards(move);
 }
 
+bool SeparationRule::isFree(const Perception& perception, const CandidateMove& move) const {
+  return BrakingRule(perception, sharing_).isFree(move);
+}
+
 bool SeparationRule::mustEscape(const Perception& perception) const {
   if (!perception.neighbours.hasObstacles() || sharing_ == GapSharing::NONE || lookout_ <= 0.0) return false;
   return EscapePlanner(perception, lookout_).isNeeded();

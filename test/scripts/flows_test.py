@@ -82,7 +82,7 @@ class DoorFlowTest:
         assert door_flow.flow_of(numpy.full((TICKS, 4, 2), -1.0)) == (0.0, 0)
 
 
-BODY = ('time_gap: 0.9, time_gap_width: 0.8, motion: {acceleration: 3, braking: 3}, '
+BODY = ('time_gap: 0.8, time_gap_width: 0.8, motion: {acceleration: 3, braking: 3}, '
         'gait: {sway: 5, wander: 15, pace: 0.08}')
 
 

@@ -133,6 +133,8 @@ class ReadmeTest:
         terminal.environment.update(screen.variables)
         process = terminal.launch(printed(line, terminal))
         has_colours(screen, terminal.path('screen.png'))
+        # A node that is interrupted while it registers its topics reports an error; RViz does so after it has drawn.
+        wait_for(lambda: '* /chosen_agent/goal ' in terminal.run('rosnode info /rviz'), 'the tools of RViz')
         terminal.interrupt(process)
         assert os.path.exists(terminal.path('table.txt')) == ('/tmp/table.txt' in line)
 

@@ -90,7 +90,8 @@ RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const
   if (!seen.motion.areOn()) return toAction(move);
   // An escape from a moving obstacle leaves no space for deviations.
   if (!parameters_.gait.isOn() || rule_.mustEscape(seen)) return rule_.actionTowards(seen, move);
-  return rule_.actionTowards(seen, deviate(move, parameters_.gait, seen));
+  const CandidateMove deviated = deviate(move, parameters_.gait, seen);
+  return rule_.actionTowards(seen, rule_.isFree(seen, deviated) ? deviated : move);
 }
 
 /// Absent while it is off: headers of tables stay as they were.
