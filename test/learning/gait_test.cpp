@@ -86,5 +86,27 @@ TEST(Gait, ActsOnAgentsWithMotionLimitsOnly) {
   EXPECT_EQ(relativeAction(with, scene.perception(), 0).speed_fraction, 1.0);
 }
 
+GoalRelativeActions walkingAsPeopleDo() {
+  GoalRelativeActions::Parameters parameters;
+  parameters.gait = {5.0, 15.0, 0.08};
+  return GoalRelativeActions(parameters);
+}
+
+/// The action straight ahead of an agent of radius 0.25 m that walks at full speed.
+RelativeAction ahead(AgentId agent, bool beside_wall) {
+  auto scene =
+      PerceptionsBuilder().agent(agent, {5.0, 0.0}).speed(1.3).walking({1.3, 0.0}).motion({3.0, 3.0, INFINITE});
+  if (beside_wall) scene.wall({-5.0, 0.251}, {5.0, 0.251}).wall({-5.0, -0.251}, {5.0, -0.251});
+  return relativeAction(walkingAsPeopleDo(), scene.perception(), 0);
+}
+
+TEST(Gait, DeviatesOnlyWhereThereIsSpace) {
+  for (AgentId agent = 0; agent < 50; ++agent) {
+    EXPECT_NE(ahead(agent, false).rotation, 0.0) << agent;
+    EXPECT_EQ(ahead(agent, true).rotation, 0.0) << agent;
+    EXPECT_EQ(ahead(agent, true).speed_fraction, 1.0) << agent;
+  }
+}
+
 }  // namespace
 }  // namespace crowd::gait_test
