@@ -39,7 +39,7 @@ struct Vision {
   std::uint32_t max_neighbours = 0;  ///< only the nearest are perceived; 0: no limit
   bool occlusion = false;            ///< nearer neighbours and walls hide others
   double wall_distance = std::numeric_limits<double>::infinity();  ///< from its rim to a wall [m]
-  MotionLimits motion;                                             ///< of all agents, unless the scenario has its own
+  MotionLimits motion;  ///< of all agents, unless the scenario has its own; unlimited: `human` has no mass and no gait
 };
 
 /// @brief Kind of a perceived body. UNYIELDED_ROBOT: a robot that agents see, but do not yield to.
@@ -64,6 +64,7 @@ struct Perception {
   std::uint32_t goal_number = 0;      ///< changes when the goal changes
   bool arrived = false;               ///< reached its last goal in the last tick: this is its last perception
   bool acted = false;                 ///< its action of the last tick was executed
+  bool held = false;                  ///< it stands, or brakes, whatever its action
   std::vector<Neighbour> neighbours;  ///< nearest rim first
   std::vector<Wall> walls;            ///< agent frame [m]
 };
@@ -74,7 +75,7 @@ struct Perceptions {
   std::uint64_t tick = 0;
   std::uint32_t turn = 0;      ///< in scenarios with `order: sequential` the agent whose turn it is, else 0
   double tick_duration = 0.1;  ///< [s]
-  MotionLimits motion;         ///< of all agents
+  MotionLimits motion;         ///< of all agents; unlimited: `human` has no mass and no gait
   bool last = false;           ///< the episode is over: no actions are expected
   std::vector<Perception> agents;
 };

@@ -24,7 +24,7 @@ void cutStop(const MoveLimit& limit, const Perception& seen, MoveBlock& moves) {
     const double closing = nx * moves.x[i] + ny * moves.y[i];
     // The speed v with closing (v T + v^2 / (2 braking)) = max_advance.
     const double square = lost * lost + 2.0 * seen.motion.braking * limit.max_advance / closing;
-    const double left = (std::sqrt(square) - lost) * per_speed;
+    const double left = std::max(0.0, (std::sqrt(square) - lost) * per_speed);
     const bool too_far = (closing > 0.0) & (moves.fraction[i] > left);
     moves.fraction[i] = too_far ? left : moves.fraction[i];
   }
@@ -93,8 +93,12 @@ bool BrakingRule::limits(const Neighbour& other) {
 
 BrakingRule::Limit BrakingRule::limitOf(const Neighbour& other) const {
   if (other.kind == NeighbourKind::AGENT) return limitOfAgent(other);
-  const auto share = [&](const Gap& gap) { return gap.width - needOfRobot(gap.normal, seen_, other); };
-  return limitOf({other.position, other.position}, other.position, other.radius, share);
+  // A robot may move on as it does, or stop within the tick.
+  const Vector2 after = other.position + seen_.tick_duration * other.velocity;
+  const auto share = [&](const Gap& gap) {
+    return gap.width - (gap.is_sudden ? needOfRobot(gap.normal, seen_, other) : 0.0);
+  };
+  return limitOf({other.position, after}, other.position, other.radius, share);
 }
 
 BrakingRule::Limit BrakingRule::limitOfAgent(const Neighbour& other) const {
@@ -113,6 +117,7 @@ BrakingRule::Limit BrakingRule::limitOf(const Segment& its_way, const Vector2& i
   Gap gap = gapBetween(closestPoints(stopping_, its_way), its_radius);
   const bool is_sudden = gap.width < -TOUCHING;
   if (is_sudden) gap = gapBetween({Vector2::Zero(), its_place}, its_radius);
+  gap.is_sudden = is_sudden;
   gap.width = std::max(0.0, gap.width);
   return {{gap.normal, gap.normal.dot(gap.own_point) + std::max(0.0, share(gap) - GAP_MARGIN)}, is_sudden};
 }
@@ -122,7 +127,7 @@ BrakingRule::Gap BrakingRule::gapBetween(const ClosestPoints& points, double oth
   const Vector2 between = points.of_second - points.of_first;
   const double distance = between.norm();
   const Vector2 normal = distance > 0.0 ? Vector2(between / distance) : Vector2::Zero();
-  return {normal, distance - seen_.self.radius - other_radius, points.of_first};
+  return {normal, distance - seen_.self.radius - other_radius, points.of_first, false};
 }
 
 void BrakingRule::cut(MoveBlock* moves, std::size_t count) const {

@@ -22,6 +22,7 @@ namespace crowd {
 /// Call contract: an object serves one decision of one agent on one thread; the perception must outlive it.
 class BrakingRule {
  public:
+  /// @param seen with motion limits
   BrakingRule(const Perception& seen, GapSharing sharing);
 
   /// @brief Sets the admissible fraction of each of the first `count` moves, as if the agent could have their
@@ -36,9 +37,10 @@ class BrakingRule {
  private:
   /// A gap between two bodies, or their stopping regions, agent frame.
   struct Gap {
-    Vector2 normal;     // towards the other
-    double width;       // [m]
-    Vector2 own_point;  // of the agent's centre, where the gap is narrowest [m]
+    Vector2 normal;          // towards the other
+    double width;            // [m]
+    Vector2 own_point;       // of the agent's centre, where the gap is narrowest [m]
+    bool is_sudden = false;  // it is that of the bodies, because the stopping regions overlap
   };
   /// Upper bound of where the agent stops, in one direction; if it `is_sudden`, of where it is after the tick.
   struct Limit : MoveLimit {

@@ -7,7 +7,7 @@
 
 namespace crowd {
 
-/// @brief How two agents that move at the same time share the gap between their bodies.
+/// @brief How two agents that move at the same time share the gap between their bodies, or stopping regions.
 enum class GapSharing {
   NONE,    ///< no rule: moves are not limited
   HALF,    ///< each agent may use half of the gap

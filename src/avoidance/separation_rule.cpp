@@ -96,7 +96,7 @@ void cutToWalls(const Perception& seen, MoveBlock* moves, std::size_t count) {
 }
 
 /// A limit and the moves that it applies to.
-struct Cut {  // NOLINT(cppcoreguidelines-pro-type-member-init): as Limit
+struct Cut {  // NOLINT(cppcoreguidelines-pro-type-member-init): as MoveLimit
   MoveLimit limit;
   double reach;  // the longest displacement of a tick [m]
   MoveBlock* moves;

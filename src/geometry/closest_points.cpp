@@ -32,9 +32,12 @@ ClosestPoints closestPoints(const Segment& first, const Segment& second) {
   const Way one(first);
   const Way other(second);
   if (isOnBothSides(one, second) && isOnBothSides(other, first)) {
-    const double share = cross(other.from - one.from, other.way) / cross(one.way, other.way);
-    const Vector2 common = one.from + share * one.way;
-    return {common, common};
+    const double denominator = cross(one.way, other.way);
+    if (denominator != 0.0) {
+      const double share = std::clamp(cross(other.from - one.from, other.way) / denominator, 0.0, 1.0);
+      const Vector2 common = one.from + share * one.way;
+      return {common, common};
+    }
   }
   const std::array<ClosestPoints, 4> ends = {{{first.from, other.nearestTo(first.from)},
                                               {first.to, other.nearestTo(first.to)},

@@ -10,7 +10,7 @@ struct ClosestPoints {
   Vector2 of_second;
 };
 
-/// @brief Finds them; for segments that cross their common point twice.
+/// @brief Finds them; for segments that cross, their common point twice.
 ClosestPoints closestPoints(const Segment& first, const Segment& second);
 
 }  // namespace crowd

@@ -10,6 +10,7 @@ namespace crowd {
 namespace {
 
 constexpr const char* UNLIMITED = "unlimited";
+constexpr double LEAST_LIMIT = 0.01;  // of all limits: who brakes more gently needs kilometres
 
 /// The last velocity on the way from one to another that is within an angle [rad] of the heading, the x axis. The first
 /// one is, unless the agent was pushed; then it may have to stand.
@@ -50,6 +51,14 @@ MotionLimits widest(const MotionLimits& a, const MotionLimits& b) {
   return {std::max(a.acceleration, b.acceleration), std::max(a.braking, b.braking), std::max(a.turn_rate, b.turn_rate)};
 }
 
+std::string refusalOf(const MotionLimits& motion) {
+  const bool are_possible =
+      motion.acceleration >= LEAST_LIMIT && motion.braking >= LEAST_LIMIT && motion.turn_rate >= LEAST_LIMIT;  // false for NaN
+  if (are_possible && (motion.acceleration < INFINITE) == motion.areOn()) return "";
+  return "expected acceleration and braking, or neither, of at least " + toText(LEAST_LIMIT) +
+         " m/s^2, and a turn_rate of at least " + toText(LEAST_LIMIT) + " rad/s";
+}
+
 MotionLimits readMotionLimits(const YAML::Node& node, const YamlPlace& place) {
   if (node.IsScalar()) {
     if (node.Scalar() == UNLIMITED) return {};
@@ -60,6 +69,8 @@ MotionLimits readMotionLimits(const YAML::Node& node, const YamlPlace& place) {
   motion.acceleration = map.number("acceleration", limits::ACCELERATION);
   motion.braking = map.number("braking", limits::ACCELERATION);
   if (map.has("turn_rate")) motion.turn_rate = map.number("turn_rate", limits::ROTATION);
+  const std::string refusal = refusalOf(motion);
+  if (!refusal.empty()) throwProblem(place, node, refusal);
   return motion;
 }
 

@@ -14,6 +14,7 @@ struct MotionLimits {
   double braking = INFINITE;       ///< when it slows down [m/s2]
   double turn_rate = INFINITE;     ///< of the heading, the direction of motion [rad/s]
 
+  /// @brief Whether there are limits.
   bool areOn() const { return braking < INFINITE; }
   /// @brief Upper bound of the displacement until it stands, if it brakes from a velocity [m].
   Vector2 stoppingWay(const Vector2& velocity) const { return velocity.norm() / (2.0 * braking) * velocity; }
@@ -35,6 +36,9 @@ inline bool operator==(const MotionLimits& a, const MotionLimits& b) {
 
 /// @brief Limits that permit what either of both permits.
 MotionLimits widest(const MotionLimits& a, const MotionLimits& b);
+
+/// @brief What is wrong with limits that a file, a message or a caller gives; empty: nothing.
+std::string refusalOf(const MotionLimits& motion);
 
 /// @brief Reads the value of the key `motion`: a map with `acceleration`, `braking` and, optionally, `turn_rate`
 /// [rad/s], or the word `unlimited`. @throws InputError

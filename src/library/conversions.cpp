@@ -29,6 +29,7 @@ AgentPerception selfOf(const Perception& from) {
   self.goal_number = from.goal_number;
   self.arrived = from.arrived;
   self.acted = from.acted;
+  self.held = from.held;
   return self;
 }
 
@@ -43,6 +44,7 @@ void copyInto(Perception& to, const crowd::Perception& from) {
   to.goal_number = self.goal_number;
   to.arrived = self.arrived;
   to.acted = self.acted;
+  to.held = self.held;
   to.neighbours.clear();
   for (const crowd::Neighbour& other : from.neighbours) {
     to.neighbours.push_back(
@@ -79,6 +81,13 @@ void requireValid(const crowd::Perception& seen) {
 }
 
 }  // namespace
+
+crowd::MotionLimits fromPublic(const MotionLimits& motion) {
+  const crowd::MotionLimits limits{motion.acceleration, motion.braking, motion.turn_rate};
+  const std::string refusal = refusalOf(limits);
+  if (!refusal.empty()) throw InputError("motion: " + refusal);
+  return limits;
+}
 
 EpisodeResult toPublic(const crowd::EpisodeResult& result) {
   return {result.scenario, result.ticks,

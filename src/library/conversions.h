@@ -21,9 +21,8 @@ inline Segment fromPublic(const Wall& wall) { return {fromPublic(wall.from), fro
 inline MotionLimits toPublic(const crowd::MotionLimits& motion) {
   return {motion.acceleration, motion.braking, motion.turn_rate};
 }
-inline crowd::MotionLimits fromPublic(const MotionLimits& motion) {
-  return {motion.acceleration, motion.braking, motion.turn_rate};
-}
+/// @throws InputError unless they are limits
+crowd::MotionLimits fromPublic(const MotionLimits& motion);
 inline crowd::Vision fromPublic(const Vision& vision) {
   return {vision.radius, vision.max_neighbours, vision.occlusion, vision.wall_distance, fromPublic(vision.motion)};
 }

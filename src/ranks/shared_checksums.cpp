@@ -35,6 +35,11 @@ std::string checksumOf(const Scene& scene) {
   write(scene.goal_tolerance);
   write(scene.collision_radius);
   write(scene.contact);
+  const MotionLimits motion = scene.motion.value_or(MotionLimits());
+  write(scene.motion.has_value());
+  write(motion.acceleration);
+  write(motion.braking);
+  write(motion.turn_rate);
   write(static_cast<std::uint64_t>(scene.agents.size()));
   for (const AgentStart& start : scene.agents) {
     write(start.position);

@@ -52,6 +52,7 @@ struct AgentPerception {
   std::uint32_t goal_number = 0;       ///< changes when the goal changes
   bool arrived = false;                ///< reached its last goal in the last tick: this is its last perception
   bool acted = false;                  ///< its action for the last tick was executed
+  bool held = false;                   ///< it stands, or brakes, whatever its action
   std::uint32_t first_neighbour = 0;   ///< index of its first neighbour in `neighbours`
   std::uint32_t neighbour_count = 0;
   std::uint32_t first_wall = 0;  ///< its walls are walls[first_wall .. first_wall + wall_count)
@@ -78,9 +79,9 @@ struct Perception {
   const AgentPerception& self;
   NeighbourSpan neighbours;
   Span<Segment> walls;
-  std::uint64_t episode;
-  double time;           ///< since the start of the episode [s]
-  double tick_duration;  ///< [s]
+  std::uint64_t episode;  ///< its number
+  double time;            ///< since the start of the episode [s]
+  double tick_duration;   ///< [s]
   const MotionLimits& motion;
 
   Perception(const Perceptions& all, std::size_t index)

@@ -219,15 +219,25 @@ bool World::dropDeparted() {
 inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
   agent.acted = action != nullptr && agent.isWalking() && !agent.held && !agent.yielding;
   agent.blocked = false;
-  const bool brakes = !agent.acted && action != nullptr && agent.isWalking();
-  agent.velocity = brakes ? motion_.braked(agent.velocity, tick_duration_) : Vector2::Zero();
-  if (brakes && contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
-  if (!agent.acted) return;
+  if (!agent.acted) return hold(agent, action);
   if (action->rotation != 0.0) {
     agent.pose.heading = wrapAngle(agent.pose.heading + action->rotation);
     agent.ahead = unitVector(agent.pose.heading);
   }
   agent.velocity = action->speed_fraction * agent.max_speed * agent.ahead;
+  if (contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
+}
+
+/// Brakes, straight on, by at least what the motion limits permit; its action may be to brake harder.
+inline void World::hold(Agent& agent, const RelativeAction* action) const {
+  if (action == nullptr || !agent.isWalking()) {
+    agent.velocity = Vector2::Zero();
+    return;
+  }
+  agent.velocity = motion_.braked(agent.velocity, tick_duration_);
+  const double speed = agent.velocity.norm();
+  const double chosen_speed = action->speed_fraction * agent.max_speed;
+  if (chosen_speed < speed) agent.velocity *= chosen_speed / speed;
   if (contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
 }
 

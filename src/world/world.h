@@ -50,6 +50,7 @@ class World {
   /// @brief Limits of the changes of velocity of the agents. Those who decide keep them, see Perceptions; the world
   /// does for agents that it holds.
   const MotionLimits& motion() const { return motion_; }
+  /// @brief Changes these limits.
   void setMotion(const MotionLimits& motion) { motion_ = motion; }
   const StopRequest& stopRequest() const { return stop_; }
 
@@ -113,6 +114,7 @@ class World {
  private:
   friend class WorldEditor;
 
+  void hold(Agent& agent, const RelativeAction* action) const;
   void beginMove(Agent& agent, const RelativeAction* action) const;
   /// Computes the motions of the solid bodies for which moves(body) holds (agents by position, then obstacles); the
   /// others stand still.

@@ -145,7 +145,6 @@ TEST(BrakingRule, BrakesAsHardAsItCanWhereOnlyTheStoppingWayIsLeft) {
 }
 
 TEST(BrakingRule, ActionsGoOnAsFarAsTheGapAllows) {
-  // 0.36 m for 1.2 m/s; the shares of the way from the braked speed, 0.9 m/s, to that are quarters.
   // 0.36 m at 1.2 m/s; 0.3234 m at three quarters of the way from the braked speed, 0.9 m/s, to that.
   expectVector(towards(beforeWall(0.3601, 1.2)), 1.2, 0.0);
   expectVector(towards(beforeWall(0.3599, 1.2)), 1.125, 0.0);
@@ -347,6 +346,24 @@ TEST(BrakingRule, HasNoContactWithSomebodyWhoIsPlacedInFrontOfAFastAgent) {
       }
       EXPECT_GT(hardest, LIMITS.braking * TICK + 1e-6);  // the stopping way is 1.04 m
     }
+  }
+}
+
+TEST(BrakingRule, HasNoContactIfTheFastAgentIsHeld) {
+  for (const double gap : {0.001, 0.05, 0.2, 0.6}) {
+    World world(scenes::scene({scenes::wanderer({0.0, 0.0}, 2.5), scenes::wanderer({0.0, 9.0}, 2.5)}));
+    world.step({ahead(0)});
+    world.setMotion(LIMITS);
+    teleportInFront(world, 1, 0, gap);
+    world.walkingAgent(0).held = true;
+    const GoalRelativeActions goal_relative;
+    for (int tick = 0; tick < 30; ++tick) {
+      const Perceptions seen = perceive(world);
+      EXPECT_TRUE(seen.agents[0].held);
+      world.step({{0, relativeAction(goal_relative, {seen, 0}, 0)}});
+      ASSERT_LE(deepestOverlap(world), TOUCH_TOLERANCE) << "gap " << gap << ", tick " << tick;
+    }
+    EXPECT_EQ(world.agents()[0].velocity, Vector2(0.0, 0.0));
   }
 }
 

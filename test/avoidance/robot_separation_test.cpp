@@ -126,10 +126,12 @@ CandidateMove randomMove(KeyedRandom& random, const Perception& seen) {
   return {direction, wanted, wanted};
 }
 
-TEST(RobotSeparation, AgentsNeverMoveIntoRobotsNorIntoTheirReach) {
+/// Random agents of these motion limits among robots with random commands.
+void expectNoContactsByAgents(const MotionLimits& limits) {
   int contacts = 0;
   forSeeds(300, KeyedRandom::PLACEMENT, [&](std::uint64_t seed, KeyedRandom& random) {
     World world(randomScene(random, seed));
+    world.setMotion(limits);
     const SeparationRule rule(seed % 3 == 0 ? GapSharing::MOVING : GapSharing::HALF, seed % 5 == 0 ? 0.0 : LOOKOUT);
     Perceptions seen;
     for (int tick = 0; tick < 60 && !testing::Test::HasFailure(); ++tick) {
@@ -140,7 +142,9 @@ TEST(RobotSeparation, AgentsNeverMoveIntoRobotsNorIntoTheirReach) {
       std::vector<AgentAction> actions;
       for (std::size_t i = 0; i < seen.agents.size(); ++i) {
         const Perception perception(seen, i);
-        actions.push_back({seen.agents[i].agent, toAction(cut(rule, perception, {randomMove(random, perception)})[0])});
+        const CandidateMove move = cut(rule, perception, {randomMove(random, perception)})[0];
+        actions.push_back(
+            {seen.agents[i].agent, limits.areOn() ? rule.actionTowards(perception, move) : toAction(move)});
       }
       const World before = world;
       world.step(actions);
@@ -159,6 +163,10 @@ TEST(RobotSeparation, AgentsNeverMoveIntoRobotsNorIntoTheirReach) {
   });
   EXPECT_GT(contacts, 50);  // robots that drive at random do reach people
 }
+
+TEST(RobotSeparation, AgentsNeverMoveIntoRobotsNorIntoTheirReach) { expectNoContactsByAgents(MotionLimits()); }
+
+TEST(RobotSeparation, NorDoAgentsWithMass) { expectNoContactsByAgents({3.0, 3.0, INFINITE}); }
 
 TEST(RobotSeparation, AnAgentInTheOpenEscapesARobotThatDrivesStraightAtIt) {
   for (int degrees = 0; degrees < 360; degrees += 5) {

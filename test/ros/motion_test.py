@@ -104,6 +104,19 @@ class SameAsHeadlessTest(MotionTestCase):
     def test_an_unlimited_scenario(self):
         self.check('human', 'motion: unlimited\n')
 
+    def test_limits_of_a_learner_that_decided_for_nobody_in_an_episode_end(self):
+        self.perceptions = self.listen('perceptions', Perceptions)
+        first = self.start_learner('first', q_table=TABLES['anticipation'])
+        self.start_walk(self.write('crowd.yaml', CROWD), episodes=9, paused=True)
+        self.perceptions.wait_connected()
+        self.expect(Perceptions.MOTION_OF_LEARNERS, LIMITS['anticipation'])
+        self.assertEqual(first.stop(), 0)
+        self.start_learner('second', q_table=TABLES['human'])
+        self.succeed('crowd_controller/reset')
+        self.expect(Perceptions.MOTION_OF_LEARNERS, LIMITS['anticipation'])  # the first one decided in the last episode
+        self.succeed('crowd_controller/reset')
+        self.expect(Perceptions.MOTION_OF_LEARNERS, LIMITS['human'])
+
     def test_a_crowd_of_both_tables_is_unlimited_and_without_contacts(self):
         self.perceptions = self.listen('perceptions', Perceptions)
         self.start_learner('one', q_table=TABLES['human'], agents=list(range(12)))

@@ -88,6 +88,7 @@ RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const
                                                    Action action) const {
   const CandidateMove move = moveAt(moves, action);
   if (!seen.motion.areOn()) return toAction(move);
+  if (seen.self.held) return rule_.actionTowards(seen, {Vector2::UnitX(), 0.0, 0.0});
   // An escape from a moving obstacle leaves no space for deviations.
   if (!parameters_.gait.isOn() || rule_.mustEscape(seen)) return rule_.actionTowards(seen, move);
   const CandidateMove deviated = deviate(move, parameters_.gait, seen);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "ros/controller/agent_list.h"
 #include "ros/messages/motion_fields.h"
@@ -66,7 +67,10 @@ void AnswerCollector::take(const ros::MessageEvent<const ActionsMessage>& event)
   perceptions_.markHeard(node);
   const std::vector<RefusedAnswer>& refused = lockstep_.take(message.content, learner);
   for (const RefusedAnswer& answer : refused) earlier_.late += answer.cause == Refusal::TOO_LATE ? 1 : 0;
-  if (refused.size() < message.content.agents.size()) learners_.noteTaken(learner);
+  if (refused.size() < message.content.agents.size()) {
+    learners_.noteTaken(learner);
+    deciding_.insert(message.node.empty() ? node : message.node);
+  }
   if (!refused.empty()) learners_.noteRefused(refused);
 }
 
@@ -87,9 +91,11 @@ void AnswerCollector::useWidestVision(Episode& episode) {
 }
 
 void AnswerCollector::askWithWiderVision() {
+  const MotionLimits before = asked_episode_->world().motion();
   useWidestVision(*asked_episode_);
   // A service may have added or removed agents since the turn began: then ask() has to be called again.
-  is_outdated_ = agentsToAsk(asked_episode_->perceptions()) != asked_;
+  // Answers that were given with other motion limits are not valid any more.
+  is_outdated_ = agentsToAsk(asked_episode_->perceptions()) != asked_ || !(asked_episode_->world().motion() == before);
   if (!is_outdated_) perceptions_.publish(toMessage(*asked_episode_, header_), true);
 }
 
@@ -143,6 +149,7 @@ void AnswerCollector::endWait() {
 void AnswerCollector::cancel() {
   cancelled_ = true;
   endWait();
+  visions_.keepMotionOf(std::exchange(deciding_, {}));
   earlier_ = totals();
   lockstep_.resetCounts();
 }

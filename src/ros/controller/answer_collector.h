@@ -4,6 +4,7 @@
 #include <social_crowd/LearnerStatus.h>
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,7 @@ class AnswerCollector {
   Lockstep lockstep_;
   AnsweringLearners learners_;
   PerceptionsPublisher perceptions_;
+  std::set<std::string> deciding_;  // learners with an answer in this episode that was taken
   LearnerVisions visions_;
   ros::Subscriber actions_;
   ros::Subscriber status_;

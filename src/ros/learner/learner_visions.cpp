@@ -40,6 +40,18 @@ void LearnerVisions::report(const std::string& learner, const Vision& vision) {
   } else {
     reported_[learner] = vision;
   }
+  findWidest();
+}
+
+void LearnerVisions::keepMotionOf(const std::set<std::string>& learners) {
+  if (learners.empty()) return;
+  for (auto& [name, reported] : reported_) {
+    if (learners.count(name) == 0) reported.motion.reset();
+  }
+  findWidest();
+}
+
+void LearnerVisions::findWidest() {
   widest_ = reported_.empty() ? Vision() : reported_.begin()->second;
   for (const auto& [name, reported] : reported_) widest_ = crowd::widest(widest_, reported);
 }

@@ -18,12 +18,6 @@ MotionLimits fromFields(const MotionFields& fields) {
   return {fromField(fields.acceleration), fromField(fields.braking), fromField(fields.turn_rate)};
 }
 
-std::string refusalOf(const MotionLimits& motion) {
-  const bool are_positive = motion.acceleration > 0.0 && motion.braking > 0.0 && motion.turn_rate > 0.0;
-  if (are_positive && (motion.acceleration < INFINITE) == motion.areOn()) return "";
-  return "expected acceleration and braking above 0, or 0 for both, and a turn_rate of at least 0";
-}
-
 std::optional<MotionLimits> requestOf(std::uint8_t source, const MotionLimits& motion) {
   if (source == social_crowd::Perceptions::MOTION_UNKNOWN) return std::nullopt;
   return source == social_crowd::Perceptions::MOTION_OF_SCENARIO ? MotionLimits() : motion;

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "geometry/motion_limits.h"
 
@@ -15,11 +14,10 @@ struct MotionFields {
   double turn_rate = 0.0;     ///< [rad/s]
 };
 
+/// @brief Limits as fields.
 MotionFields toFields(const MotionLimits& motion);
 /// @brief Inverse of toFields(), for any numbers; refusalOf() says whether they are limits.
 MotionLimits fromFields(const MotionFields& fields);
-/// @brief What is wrong with limits that come from a message; empty: nothing.
-std::string refusalOf(const MotionLimits& motion);
 
 /// @brief The motion that the vision of received perceptions has.
 /// @param source a constant of Perceptions.msg; limits of the scenario hold for any model

@@ -17,7 +17,7 @@ constexpr std::uint32_t NUMBER = sizeof(double);
 constexpr std::uint32_t COUNT = sizeof(std::uint32_t);
 constexpr std::uint32_t WIRE_NEIGHBOUR = 1 + 5 * NUMBER;
 constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
-constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 2 + 4 * COUNT;
+constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 3 + 4 * COUNT;
 constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
 constexpr std::uint32_t WIRE_PERCEPTIONS = 9 * NUMBER + 2 * COUNT + 3 + 3 * COUNT;  // without header and lists
 constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;                          // without header, name and list
@@ -71,7 +71,7 @@ void put(Writer& writer, const AgentPerception& self, std::uint32_t first_neighb
   writer.put(self.velocity);
   writer.put(self.max_speed, self.radius);
   writer.put(self.goal);
-  writer.put(self.goal_number, std::uint8_t{self.arrived}, std::uint8_t{self.acted});
+  writer.put(self.goal_number, std::uint8_t{self.arrived}, std::uint8_t{self.acted}, std::uint8_t{self.held});
   writer.put(first_neighbour, self.neighbour_count, first_wall, self.wall_count);
 }
 
@@ -86,6 +86,7 @@ void take(Reader& reader, AgentPerception& self) {
   reader.take(self.goal_number);
   reader.take(self.arrived);
   reader.take(self.acted);
+  reader.take(self.held);
   reader.take(self.first_neighbour);
   reader.take(self.neighbour_count);
   reader.take(self.first_wall);
