@@ -52,8 +52,8 @@ MotionLimits widest(const MotionLimits& a, const MotionLimits& b) {
 }
 
 std::string refusalOf(const MotionLimits& motion) {
-  const bool are_possible =
-      motion.acceleration >= LEAST_LIMIT && motion.braking >= LEAST_LIMIT && motion.turn_rate >= LEAST_LIMIT;  // false for NaN
+  const bool are_possible = motion.acceleration >= LEAST_LIMIT && motion.braking >= LEAST_LIMIT &&
+                            motion.turn_rate >= LEAST_LIMIT;  // false for NaN
   if (are_possible && (motion.acceleration < INFINITE) == motion.areOn()) return "";
   return "expected acceleration and braking, or neither, of at least " + toText(LEAST_LIMIT) +
          " m/s^2, and a turn_rate of at least " + toText(LEAST_LIMIT) + " rad/s";
