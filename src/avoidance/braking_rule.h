@@ -44,7 +44,7 @@ class BrakingRule {
   };
   /// Upper bound of where the agent stops, in one direction; if it `is_sudden`, of where it is after the tick.
   struct Limit : MoveLimit {
-    bool is_sudden;
+    bool is_sudden = false;
   };
 
   template <typename Use>
