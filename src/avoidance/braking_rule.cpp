@@ -166,13 +166,16 @@ Vector2 BrakingRule::velocityTowards(const Vector2& wanted) const {
   const double reach = motion.reach(std::max(reached.norm(), braked.norm()), seen_.tick_duration);
   double share = 1.0;
   double checked_share = 0.0;
+  bool is_any_sudden = false;
   while (share > 0.0 && checked_share != share) {  // a smaller share is not always within a limit that a larger one is
     checked_share = share;
     forEachLimit(reach, [&](const Limit& limit) {
+      is_any_sudden = is_any_sudden || limit.is_sudden;
       while (share > 0.0 && !isWithin(limit, braked + share * (reached - braked))) share -= 0.25;
     });
   }
   Vector2 velocity = braked + share * (reached - braked);
+  if (!is_any_sudden) return velocity;
   forEachLimit(reach, [&](const Limit& limit) {
     const double advance = seen_.tick_duration * limit.normal.dot(velocity);
     if (limit.is_sudden && advance > limit.max_advance) velocity *= limit.max_advance / advance;

@@ -8,7 +8,7 @@
 namespace crowd {
 
 /// @brief How fast agents change their velocity, as bodies with mass do (docs/separation_rule.md, Mass). Unlimited by
-/// default: an agent takes any velocity up to its maximum speed at once.
+/// default: an agent has any velocity, up to its maximum speed, in the next tick.
 struct MotionLimits {
   double acceleration = INFINITE;  ///< when it speeds up or swerves [m/s2]; infinite if and only if `braking` is
   double braking = INFINITE;       ///< when it slows down [m/s2]

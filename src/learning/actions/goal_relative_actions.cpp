@@ -31,7 +31,7 @@ void turn(const MoveBlock& base_moves, const Vector2& bearing, std::size_t turne
 CandidateMove deviate(const CandidateMove& move, const Gait& gait, const Perception& seen) {
   const GaitDeviation deviation =
       gait.at(KeyedRandom(0, KeyedRandom::GAIT, {seen.episode, seen.self.agent}), seen.time);
-  // Who has little space walks slowly, and straight.
+  // The smaller the admissible fraction of the move, the less the heading deviates.
   const double turn = move.fraction * deviation.turn;
   return {Rotation(turn).outOfFrame(move.direction), move.wanted, deviation.pace * move.fraction};
 }

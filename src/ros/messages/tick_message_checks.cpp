@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "ros/messages/motion_fields.h"
 #include "ros/messages/tick_messages.h"
 #include "social_crowd/errors.h"
 
