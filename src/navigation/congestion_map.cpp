@@ -16,7 +16,7 @@ void CongestionMap::update(const World& world, const AgentMap<RemainingPath>& pa
   for (std::size_t i = 0; i < world.agents().size(); ++i) {
     const Agent& agent = world.agents().nth(i);
     const RemainingPath& path = paths.nth(i);
-    if (!agent.isWalking() || agent.at_goal || agent.held || path.empty()) continue;
+    if (!agent.isWalking() || agent.at_goal || agent.isHeld() || path.empty()) continue;
     const Vector2 offset = path.front() - agent.pose.position;
     const double distance = offset.norm();
     if (distance == 0.0) continue;

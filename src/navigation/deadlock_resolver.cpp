@@ -48,7 +48,7 @@ void DeadlockResolver::update(World& world, const AgentMap<RemainingPath>& paths
   }
   for (std::size_t i = 0; i < world.agents().size(); ++i) {
     const Agent& agent = world.agents().nth(i);
-    if (!agent.isWalking() || agent.held || agent.at_goal) continue;
+    if (!agent.isWalking() || agent.isHeld() || agent.at_goal) continue;
     if (walksBack(walks_.nth(i))) continue;
     if (mustGiveWay(world, agent)) {
       startRetreat(agent, time);
@@ -81,7 +81,7 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
 
 void DeadlockResolver::noteProgress(const Agent& agent, double time, Walk& walk) {
   const Vector2& place = agent.pose.position;
-  if (agent.yielding || agent.held || agent.at_goal || walk.trail.empty() ||
+  if (agent.yielding || agent.isHeld() || agent.at_goal || walk.trail.empty() ||
       (place - walk.reference).norm() > PROGRESS) {
     walk.reference = place;
     walk.progress_time = time;
@@ -139,7 +139,7 @@ bool DeadlockResolver::blocksOthers(const World& world, const Agent& agent) {
   return std::any_of(near.begin(), near.end(), [&](const Walker& walker) {
     const Agent& other = world.agents()[walker.agent];
     const Walk& its = walks_[other.id];
-    const bool is_stuck = !other.yielding && !other.held && !walksBack(its) && isStuck(its, world.time());
+    const bool is_stuck = !other.yielding && !other.isHeld() && !walksBack(its) && isStuck(its, world.time());
     if (other.id == agent.id || !is_stuck) return false;
     const Vector2 offset = agent.pose.position - other.pose.position;
     const double gap = offset.norm() - agent.radius - other.radius;

@@ -37,7 +37,7 @@ void TurnTaking::update(World& world, const AgentMap<RemainingPath>& paths) {
   for (std::size_t i = 0; i < world.agents().size(); ++i) {
     const Agent& agent = world.agents().nth(i);
     const Approach& approach = approaches_.nth(i);
-    if (!approach.waits || !agent.isWalking() || agent.at_goal || agent.held) continue;
+    if (!approach.waits || !agent.isWalking() || agent.at_goal || agent.isHeld()) continue;
     Agent& waiting = world.walkingAgent(agent.id);
     waiting.yielding = approach.aside == Vector2::Zero();
     if (!waiting.yielding) waiting.setWaypoint(agent.pose.position + ASIDE_DISTANCE * approach.aside);

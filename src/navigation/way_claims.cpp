@@ -11,7 +11,7 @@ void WayClaims::update(const World& world, const AgentMap<RemainingPath>& paths,
   grid_.clear();
   for (std::size_t i = 0; i < world.agents().size(); ++i) {
     const Agent& agent = world.agents().nth(i);
-    if (agent.isWalking() && !agent.at_goal && !agent.held) addWay(agent, paths.nth(i), floor);
+    if (agent.isWalking() && !agent.at_goal && !agent.isHeld()) addWay(agent, paths.nth(i), floor);
   }
   for (std::uint32_t i = 0; i < claims_.size(); ++i) grid_.add(claims_[i].place, 0.0, i);
   grid_.build(1.0);

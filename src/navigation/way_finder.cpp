@@ -108,7 +108,7 @@ void WayFinder::lead(Agent& agent, Way& way, SizedFloor& floor, const World& wor
 /// that saves time. Agents do so at different times, so that they do not all choose the same one.
 void WayFinder::reconsider(const Agent& agent, Way& way, SizedFloor& floor, const World& world) {
   const bool is_led = way.follower && way.follower->goal() == agent.goal() && way.floor != Floor::OPEN;
-  if (!is_led || agent.at_goal || agent.held || world.time() < way.search_time) return;
+  if (!is_led || agent.at_goal || agent.isHeld() || world.time() < way.search_time) return;
   way.search_time = world.time() + WAY_TIME;
   const Vector2& place = agent.pose.position;
   const Span<Vector2> corners = way.follower->corners();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/limits.h"
+#include "population/entry_velocity.h"
 #include "population/route_check.h"
 #include "scenario/region_geometry.h"
 #include "social_crowd/errors.h"
@@ -172,7 +173,8 @@ void Population::hold(const Member& member, World& world) const {
     return queues_[route.waypoint().target].stands(member.id, world);
   };
   const bool stands = member.route && stands_on_route(*member.route);
-  if (agent.held != (stands || !has_reacted)) world.walkingAgent(member.id).held = !agent.held;
+  const bool is_held = stands || !has_reacted;
+  if (agent.isHeldBy(Hold::ROUTE) != is_held) world.walkingAgent(member.id).setHeld(Hold::ROUTE, is_held);
 }
 
 void Population::serveQueues(World& world, RouteObserver& observer) {
@@ -194,6 +196,7 @@ void Population::spawn(World& world, RouteObserver& observer) {
         start->goals = {goalOfLeg(member, start->position, start->radius, world)};
         start->heading = bearingOf(start->goals.front() - start->position);
       }
+      start->velocity = entryVelocity(*start, world);
       WorldEditor(world).spawnAgent(*start);
       observer.watch(*start, world);
       admit(id, *start, world, observer);

@@ -47,6 +47,7 @@ std::string checksumOf(const Scene& scene) {
     write(start.goals);
     write(start.max_speed);
     write(start.radius);
+    write(start.velocity);
     write(start.leaves);
   }
   for (const Obstacle& obstacle : scene.obstacles) {

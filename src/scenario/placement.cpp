@@ -221,6 +221,7 @@ void Placement::completeAgents() {
     agent.heading = group.heading ? group.heading->draw(random_) : bearingOf(agent.goals.front() - agent.position);
     agent.heading = wrapAngle(agent.heading);
     agent.keeps_heading = group.keeps_heading;
+    agent.velocity = group.velocity;
     const Range& reaction = group.reaction_time;
     agent.reaction_time = reaction.isFixed() ? reaction.low : reaction.draw(random_);
   });

@@ -43,6 +43,7 @@ struct AgentStart {
   std::vector<Vector2> goals;          ///< [m], `map`; visited in this order, at least one
   double max_speed = 0.0;              ///< maximum speed [m/s]
   double radius = 0.0;                 ///< of the body [m]
+  Vector2 velocity = Vector2::Zero();  ///< [m/s], `map`
   bool leaves = true;                  ///< leaves the world at its last goal; else it stays until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
   std::optional<std::size_t> route = std::nullopt;  ///< index of its route; `goals` are not used then

@@ -14,6 +14,9 @@ void transferAgent(Archive& archive, AnAgent& agent) {
   archive(agent.ahead);
   archive(agent.velocity);
   archive(agent.max_speed);
+  archive(agent.own_speed);
+  archive(agent.wanted_speed);
+  for (auto& pace : agent.paces) archive(pace);
   archive(agent.radius);
   archive(agent.goals);
   archive(agent.next_goal);
@@ -24,7 +27,7 @@ void transferAgent(Archive& archive, AnAgent& agent) {
   archive(agent.leaves);
   archive(agent.has_waypoint);
   archive(agent.at_goal);
-  archive(agent.held);
+  archive(agent.holds);
   archive(agent.yielding);
   archive(agent.arrival_tick);
   archive(agent.acted);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,13 @@ constexpr double CONTACT_OVERLAP = 1e-3;
 /// @brief WALKING: on its way. ARRIVED, REMOVED: not in the world any more.
 enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
 
+/// @brief Why an agent stands, or brakes, whatever its actions.
+enum class Hold : std::uint8_t { ROUTE, PAUSE, GROUP };
+
+/// @brief Why an agent walks faster or slower than its own speed.
+enum class Pace : std::uint8_t { HURRY, DISTRACTION, GROUP };
+constexpr std::size_t PACES = 3;
+
 /// @brief An agent in the world.
 struct Agent {
   Agent() = default;
@@ -22,7 +30,10 @@ struct Agent {
       : id(number),
         pose{start.position, wrapAngle(start.heading)},
         ahead(unitVector(pose.heading)),
+        velocity(start.velocity),
         max_speed(start.max_speed),
+        own_speed(start.max_speed),
+        wanted_speed(start.max_speed),
         radius(start.radius),
         goals(start.goals),
         present_goal(start.goals.front()),
@@ -32,9 +43,12 @@ struct Agent {
   Pose pose;                           ///< in `map`
   Vector2 ahead = Vector2::UnitX();    ///< unit vector of the heading
   Vector2 velocity = Vector2::Zero();  ///< of the last tick, `map` [m/s]
-  double max_speed = 0.0;              ///< maximum speed [m/s]
-  double radius = 0.0;                 ///< [m]
-  std::vector<Vector2> goals;          ///< [m], `map`
+  double max_speed = 0.0;              ///< present maximum speed [m/s]
+  double own_speed = 0.0;              ///< maximum speed without any Pace [m/s]
+  double wanted_speed = 0.0;           ///< own_speed times all paces; `max_speed` as soon as it has slowed down [m/s]
+  std::array<double, PACES> paces = {1.0, 1.0, 1.0};
+  double radius = 0.0;         ///< [m]
+  std::vector<Vector2> goals;  ///< [m], `map`
   std::size_t next_goal = 0;
   Vector2 present_goal = Vector2::Zero();  ///< present goal, or the last one after arrival [m], `map`
   Vector2 waypoint = Vector2::Zero();      ///< where it is to walk now, see setWaypoint() [m], `map`
@@ -43,8 +57,8 @@ struct Agent {
   bool leaves = true;               ///< see AgentStart
   bool has_waypoint = false;        ///< it perceives `waypoint` as its goal
   bool at_goal = false;             ///< reached its last goal, but does not leave
-  bool held = false;                ///< stays where it is, whatever its actions
-  bool yielding = false;            ///< the same, for agents that give way to others; both are independent
+  std::uint8_t holds = 0;           ///< one bit for each Hold
+  bool yielding = false;            ///< stands as well, because it gives way to others
   std::uint64_t arrival_tick = 0;   ///< the tick at whose start it had arrived or was removed, unless it walks
   bool acted = false;               ///< an action was executed in the last tick
   bool blocked = false;             ///< its last move was cut short by an impact; solid worlds only
@@ -59,6 +73,17 @@ struct Agent {
 
   bool isWalking() const { return status == AgentStatus::WALKING; }
   bool hasArrived() const { return status == AgentStatus::ARRIVED; }
+  bool isHeldBy(Hold reason) const { return (holds & bitOf(reason)) != 0; }
+  bool isHeld() const { return holds != 0; }
+  void setHeld(Hold reason, bool is_held) {
+    holds = static_cast<std::uint8_t>(is_held ? holds | bitOf(reason) : holds & ~bitOf(reason));
+  }
+  /// @brief Sets a factor of its speed. World lets `max_speed` follow at the end of the tick.
+  void setPace(Pace reason, double factor) {
+    paces[static_cast<std::size_t>(reason)] = factor;
+    wanted_speed = own_speed;
+    for (const double pace : paces) wanted_speed *= pace;
+  }
   /// @brief The present goal, or the last one after arrival [m], `map`.
   const Vector2& goal() const { return present_goal; }
   /// @brief What the agent perceives as its goal: the waypoint if it has one, else goal() [m], `map`.
@@ -95,6 +120,9 @@ struct Agent {
     at_goal = false;
     ++goal_number;
   }
+
+ private:
+  static unsigned bitOf(Hold reason) { return 1U << static_cast<unsigned>(reason); }
 };
 
 }  // namespace crowd

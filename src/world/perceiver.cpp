@@ -34,7 +34,7 @@ inline void perceiveSelf(const Agent& agent, AgentPerception& self) {
   self.goal_number = agent.goal_number;
   self.arrived = agent.hasArrived();
   self.acted = agent.acted;
-  self.held = agent.held || agent.yielding;
+  self.held = agent.isHeld() || agent.yielding;
 }
 
 /// Writes the bodies that were found in the agent's frame, from `first` on.

@@ -217,7 +217,7 @@ bool World::dropDeparted() {
 }
 
 inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
-  agent.acted = action != nullptr && agent.isWalking() && !agent.held && !agent.yielding;
+  agent.acted = action != nullptr && agent.isWalking() && !agent.isHeld() && !agent.yielding;
   agent.blocked = false;
   if (!agent.acted) return hold(agent, action);
   if (action->rotation != 0.0) {
@@ -241,6 +241,12 @@ inline void World::hold(Agent& agent, const RelativeAction* action) const {
   if (contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
 }
 
+/// The maximum speed follows the paces; an agent that is to walk slower brakes first.
+inline void World::followPace(Agent& agent) const {
+  if (agent.max_speed == agent.wanted_speed) return;
+  agent.max_speed = std::max(agent.wanted_speed, motion_.braked(agent.velocity, tick_duration_).norm());
+}
+
 inline void World::endMove(std::size_t position, std::size_t& arrivals) {
   Agent& agent = agents_.nth(position);
   if (!agent.isWalking()) {
@@ -248,6 +254,7 @@ inline void World::endMove(std::size_t position, std::size_t& arrivals) {
     agent.in_collision = false;
     return;
   }
+  followPace(agent);
   agent.in_collision = isAnythingWithin(collision_radius_, position);
   const double contact_distance = agent.radius - CONTACT_OVERLAP;
   // Without anything within the collision radius, a search within a smaller distance is unnecessary.

@@ -127,6 +127,7 @@ class World {
   /// Removes the agents that left before this tick from `agents_`. @return whether there were any
   bool dropDeparted();
   void endMove(std::size_t position, std::size_t& arrivals);
+  void followPace(Agent& agent) const;
   /// Whether the rim of another body, or a wall, is within the distance of the agent's centre.
   bool isAnythingWithin(double distance, std::size_t position) const;
   void rebuildGrid();

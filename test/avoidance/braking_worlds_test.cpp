@@ -131,7 +131,7 @@ Worst walk(const Walk& how, std::uint64_t seed) {
     std::vector<AgentAction> actions;
     for (std::size_t i = 0; i < seen.agents.size(); ++i) {
       const AgentId id = seen.agents[i].agent;
-      world.walkingAgent(id).held = KeyedRandom(seed, KeyedRandom::TIES, {tick / 8, id}).uniform() < how.held;
+      world.walkingAgent(id).setHeld(Hold::ROUTE, KeyedRandom(seed, KeyedRandom::TIES, {tick / 8, id}).uniform() < how.held);
       KeyedRandom random(seed, KeyedRandom::EXPLORATION, {tick, id});
       const Action action = random.uniform() < 0.5 ? 0 : random.below(goal_relative.size());
       if (random.uniform() < how.missing) continue;
@@ -214,7 +214,7 @@ TEST(BrakingWorlds, HasNoContactIfTheFastAgentIsHeld) {
     world.step({ahead(0)});
     world.setMotion(LIMITS);
     teleportInFront(world, 1, 0, gap);
-    world.walkingAgent(0).held = true;
+    world.walkingAgent(0).setHeld(Hold::ROUTE, true);
     const GoalRelativeActions goal_relative;
     for (int tick = 0; tick < 30; ++tick) {
       const Perceptions seen = perceive(world);

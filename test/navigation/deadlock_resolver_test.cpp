@@ -247,7 +247,7 @@ TEST(DeadlockResolver, AgentsThatWaitDoNotGiveWay) {
   for (AgentId id = 0; id < 2; ++id) {
     WorldEditor(held.world).teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
     WorldEditor(yielding.world).teleport(id, {{id == 0 ? -0.25 : 0.25, 0.0}, 0.0});
-    held.world.walkingAgent(id).held = true;
+    held.world.walkingAgent(id).setHeld(Hold::ROUTE, true);
     yielding.world.walkingAgent(id).yielding = true;
   }
   held.walkUntilAnyGivesWay(40.0);
@@ -258,7 +258,7 @@ TEST(DeadlockResolver, AgentsThatWaitDoNotGiveWay) {
 
 TEST(DeadlockResolver, AnAgentBehindOneThatWaitsStays) {
   Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({-2.0, 0.0}, {9.0, 0.0})});
-  crowd.world.walkingAgent(0).held = true;
+  crowd.world.walkingAgent(0).setHeld(Hold::ROUTE, true);
   crowd.walkUntilAnyGivesWay(40.0);
   EXPECT_FALSE(crowd.doesAnyGiveWay());
 }

@@ -34,8 +34,8 @@ TEST(Population, WalksARouteAndLeavesAtItsEnd) {
   EXPECT_EQ(agent.goal(), Vector2(2.0, 0.0));
   walkUntil(4.5, episode);
   EXPECT_EQ(agent.pose.position, Vector2(2.0, 0.0));
-  EXPECT_TRUE(agent.held);
-  EXPECT_EQ(timeUntil(episode, [&] { return !agent.held; }), 5.0);
+  EXPECT_TRUE(agent.isHeld());
+  EXPECT_EQ(timeUntil(episode, [&] { return !agent.isHeld(); }), 5.0);
   EXPECT_EQ(agent.goal(), Vector2(0.0, 0.0));
   EXPECT_EQ(timeUntil(episode, [&] { return agent.hasArrived(); }), 7.0);
   EXPECT_TRUE(episode.isOver());
@@ -229,10 +229,10 @@ TEST(Population, AGoalEndsARoute) {
       "till}]}\n"
       "queues: {till: {head: [0, 5], direction: 0, spacing: 1, service: 100}}\n");
   walkUntil(10.0, episode);
-  for (const Agent& agent : episode.world().agents()) EXPECT_TRUE(agent.held);
+  for (const Agent& agent : episode.world().agents()) EXPECT_TRUE(agent.isHeld());
   episode.edit().setGoal(0, {1.0, 0.0});
   episode.edit().setGoal(1, {1.0, 5.0});
-  for (const Agent& agent : episode.world().agents()) EXPECT_FALSE(agent.held);
+  for (const Agent& agent : episode.world().agents()) EXPECT_FALSE(agent.isHeld());
   walkUntil(11.0, episode);
   EXPECT_TRUE(episode.isOver());
   EXPECT_EQ(episode.result().arrivedCount(), 2U);

@@ -20,7 +20,7 @@ World holding(const Scene& scene, const MotionLimits& limits) {
   World world(scene);
   world.step({ahead(0)});
   world.setMotion(limits);
-  world.walkingAgent(0).held = true;
+  world.walkingAgent(0).setHeld(Hold::ROUTE, true);
   return world;
 }
 
@@ -40,7 +40,7 @@ TEST(WorldMotion, HeldAgentsBrake) {
 
 TEST(WorldMotion, SoDoAgentsThatYield) {
   World world = holding(alone(), LIMITS);
-  world.walkingAgent(0).held = false;
+  world.walkingAgent(0).setHeld(Hold::ROUTE, false);
   world.walkingAgent(0).yielding = true;
   world.step({ahead(0)});
   expectVector(world.agents()[0].velocity, 1.0, 0.0);

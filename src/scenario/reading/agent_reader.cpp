@@ -53,6 +53,15 @@ void readFirstHeading(const YamlMap& map, AgentGroup& group) {
   group.heading = readHeading(node, place);
 }
 
+void readFirstVelocity(const YamlMap& map, const Units& units, AgentGroup& group) {
+  const YAML::Node node = map.find("velocity");
+  if (!node) return;
+  const YamlPlace place = map.placeOf("velocity");
+  const Vector2 velocity = readVector(node, place, units.limit(limits::VELOCITY));
+  group.velocity = {units.speed(velocity.x()), units.speed(velocity.y())};
+  if (group.velocity.norm() > group.max_speed.low) throwExpected(place, node, "a velocity of at most `speed`");
+}
+
 }  // namespace
 
 void readWalk(const YamlMap& map, const Units& units, const PopulationDescription& population, AgentGroup& group) {
@@ -63,13 +72,15 @@ void readWalk(const YamlMap& map, const Units& units, const PopulationDescriptio
 
 AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units,
                       const PopulationDescription& population) {
-  const YamlMap map(node, place,
-                    {"position", "goal", "goals", "route", "speed", "radius", "heading", "reaction_time", "count"});
+  const YamlMap map(
+      node, place,
+      {"position", "goal", "goals", "route", "speed", "radius", "heading", "velocity", "reaction_time", "count"});
   AgentGroup group;
   group.line = lineOf(node);
   group.position = readRegion(map.need("position"), map.placeOf("position"));
   readWalk(map, units, population, group);
   readFirstHeading(map, group);
+  readFirstVelocity(map, units, group);
   if (const YAML::Node reaction = map.find("reaction_time")) {
     group.reaction_time = readRange(reaction, map.placeOf("reaction_time"), NumberRule::NOT_NEGATIVE);
   }
