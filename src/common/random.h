@@ -23,7 +23,8 @@ class KeyedRandom {
     ROBOT_PLACEMENT = 7,
     SENSOR = 8,
     ODOMETRY = 9,
-    GAIT = 10
+    GAIT = 10,
+    GROUPS = 11
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)

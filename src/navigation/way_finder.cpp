@@ -28,15 +28,17 @@ constexpr double CROWD_RADIUS = 0.75;   // of the crowd that another way leads r
 }  // namespace
 
 void WayFinder::update(World& world) {
+  if (!finds_ways_) return leadGroups(world);
   const auto does_not_fit = [this](const Agent& agent) {
     const bool is_inside = contains(bounds_, agent.pose.position) && contains(bounds_, agent.goal());
     return agent.isWalking() && (sizeOf(agent.radius) > radius_ || (is_needed_ && !is_inside));
   };
   const bool is_outgrown = std::any_of(world.agents().begin(), world.agents().end(), does_not_fit);
   if (is_outgrown || world.layoutChanges() != layout_changes_) adoptLayout(world);
-  if (!is_needed_) return;
+  if (!is_needed_) return leadGroups(world);
   ways_.follow(world.agents());
   paths_.follow(world.agents());
+  groups_.update(world, paths_, ruler_.get());
   for (std::size_t i = 0; i < world.agents().size(); ++i) {
     const Agent& agent = world.agents().nth(i);
     if (!agent.isWalking()) continue;
@@ -75,6 +77,22 @@ SizedFloor& WayFinder::floorOf(const Agent& agent, const World& world) {
   return floors_.try_emplace(size, std::move(floor), size, gates_, world.stopRequest()).first->second;
 }
 
+/// Where there is nothing to walk round.
+void WayFinder::leadGroups(World& world) {
+  groups_.update(world, {}, nullptr);
+  if (groups_.empty()) return;
+  for (const Agent& agent : world.agents()) {
+    if (!agent.isWalking() || agent.group == NO_GROUP) continue;
+    const std::optional<Vector2> aim = groups_.aimOf(agent, agent.goal());
+    aim ? world.walkingAgent(agent.id).setWaypoint(*aim) : world.walkingAgent(agent.id).clearWaypoint();
+  }
+}
+
+void WayFinder::giveUp(World& world) {
+  finds_ways_ = false;
+  release(world);
+}
+
 void WayFinder::release(World& world) {
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking()) continue;
@@ -91,8 +109,10 @@ void WayFinder::lead(Agent& agent, Way& way, SizedFloor& floor, const World& wor
     way.follower.emplace(agent.goal());
     way.search_time = world.time() + WAY_TIME * (agent.id % WAY_GROUPS) / double{WAY_GROUPS};
   }
-  const Vector2 next = nextPoint(agent, way, floor, world.stopRequest());
+  Vector2 next = nextPoint(agent, way, floor, world.stopRequest());
   const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
+  const std::optional<Vector2> aim = is_led ? groups_.aimOf(agent, next) : std::nullopt;
+  if (aim && floor.tight().isStraight(agent.pose.position, *aim)) next = *aim;
   // An agent in a wall or an obstacle, as in a ghost world, is not led, but may walk out of it.
   way.out_of_reach = !is_led && floor.tight().component(agent.pose.position).has_value();
   const bool sees_goal = way.out_of_reach && world.walls().index().isClear(agent.pose.position, agent.goal(), 0.0);

@@ -9,6 +9,7 @@
 
 #include "navigation/congestion_map.h"
 #include "navigation/deadlock_resolver.h"
+#include "navigation/group_walking.h"
 #include "navigation/path_follower.h"
 #include "navigation/sized_floor.h"
 #include "navigation/turn_taking.h"
@@ -18,7 +19,8 @@
 namespace crowd {
 
 /// @brief Leads agents round walls and obstacles at rest: an agent whose goal is hidden perceives the next corner of a
-/// way to it instead (World::setWaypoint). Learners and learning are the same as without.
+/// way to it instead (World::setWaypoint). Learners and learning are the same as without. Members of groups are led
+/// beside each other (GroupWalking), also where there are no walls.
 ///
 /// Ways are found for the size of each agent (SizedFloor). They keep COMFORTABLE_MARGIN from walls where there is room,
 /// and lead round crowds if that saves time (CongestionMap). In narrow places agents take turns (TurnTaking).
@@ -33,13 +35,14 @@ class WayFinder {
  public:
   WayFinder() = default;
   /// @param scene its gates and sources are used
-  explicit WayFinder(const Scene& scene) : least_radius_(largestSourceRadius(scene)), gates_(gateWalls(scene)) {}
+  explicit WayFinder(const Scene& scene)
+      : finds_ways_(scene.way_finding), least_radius_(largestSourceRadius(scene)), gates_(gateWalls(scene)) {}
 
   /// @throws InputError if the floor is too large (NavigationMesh), Stopped if the world's stop request is made; the
   /// object must not be used any more then.
   void update(World& world);
-  /// @brief Makes all agents of a world perceive their goals again.
-  static void release(World& world);
+  /// @brief Makes all agents of a world perceive their goals again, and leads only groups from now on.
+  void giveUp(World& world);
 
   /// @brief Whether there is no way from an agent's place to its goal, as of the last update(), even with all gates
   /// open.
@@ -73,7 +76,9 @@ class WayFinder {
     bool out_of_reach = false;
   };
 
+  static void release(World& world);
   void adoptLayout(World& world);
+  void leadGroups(World& world);
   void lead(Agent& agent, Way& way, SizedFloor& floor, const World& world);
   void reconsider(const Agent& agent, Way& way, SizedFloor& floor, const World& world);
   double timeOf(const Agent& agent, Span<Vector2> corners) const;
@@ -86,6 +91,7 @@ class WayFinder {
   bool isCorridor(const Vector2& from, const Vector2& to, const Vector2& forward, double radius) const;
   Vector2 laneBeside(const Vector2& place, const Vector2& forward, double radius) const;
 
+  bool finds_ways_ = true;
   std::uint64_t layout_changes_ = 0;  // of the world that the floors belong to
   bool is_needed_ = false;            // there is anything to walk round
   FloorPlan::Bounds bounds_;          // of the floors
@@ -94,6 +100,7 @@ class WayFinder {
   std::vector<Segment> gates_;
   std::map<double, SizedFloor> floors_;  // by size; made when an agent of the size appears
   std::shared_ptr<const FloorRuler> ruler_;
+  GroupWalking groups_;
   CongestionMap congestion_;
   std::optional<TurnTaking> turns_;
   DeadlockResolver deadlocks_;

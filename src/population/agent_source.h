@@ -5,6 +5,7 @@
 
 #include "population/place_picker.h"
 #include "population/source_schedule.h"
+#include "scenario/group_placement.h"
 
 namespace crowd {
 
@@ -16,21 +17,28 @@ class AgentSource {
       : population_(&population),
         source_(&population.sources[source]),
         random_(random),
-        schedule_(*source_, random.with(SCHEDULE)) {}
+        schedule_(*source_, random.with(SCHEDULE)),
+        parties_(source_->agents.groups, random.with(PARTY)) {}
 
-  /// @brief The next agent if it is due and there is a place for it now. Its goals are the description's, drawn; with a
-  /// route they are only its own position. The caller adds it to the world before it asks for the next one.
+  /// @brief The next agent if it is due and there is a place for it now; those who follow it are due at once. Its goals
+  /// are the description's, drawn; with a route or a leader they are only its own position. The caller adds it to the
+  /// world before it asks for the next one.
   std::optional<AgentStart> next(const World& world, const PlacePicker& places, const PlacePicker::Reach& can_reach);
   /// @brief Whether all agents have appeared.
   bool isOver() const { return schedule_.isOver(); }
 
  private:
-  enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3 };
+  enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3, PARTY = 4 };
+
+  void drawGoals(AgentStart& start, const KeyedRandom& random, const World& world, const PlacePicker& places,
+                 const PlacePicker::Reach& can_reach) const;
+  std::optional<Vector2> drawPlace(double radius, const World& world, const PlacePicker& places) const;
 
   const PopulationDescription* population_;
   const SourceDescription* source_;
   KeyedRandom random_;
   SourceSchedule schedule_;
+  Parties parties_;
   std::uint64_t created_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "population/population.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -28,10 +29,11 @@ KeyedRandom randomOf(std::uint64_t seed, Drawn what, std::uint64_t number) {
 Population::Population(const Scene& scene)
     : description_(scene.population ? scene.population : std::make_shared<const PopulationDescription>()),
       seed_(scene.population_seed),
-      places_(scene) {
+      places_(std::make_unique<const PlacePicker>(scene)),
+      followers_(*places_) {
   if (scene.way_finding) ways_.emplace(scene);
   for (const AgentStart& start : scene.agents) {
-    if (start.route || start.reaction_time > 0.0) starts_ = scene.agents;
+    if (start.route || start.leader || start.reaction_time > 0.0) starts_ = scene.agents;
   }
   for (std::size_t i = 0; i < description_->sources.size(); ++i) {
     sources_.emplace_back(*description_, i, randomOf(seed_, SOURCE, i));
@@ -43,8 +45,8 @@ Population::Population(const Scene& scene)
 }
 
 void Population::chooseFirstGoals(Scene& scene, const StopRequest& stop) {
-  const auto has_route = [](const AgentStart& start) { return start.route.has_value(); };
-  if (std::none_of(scene.agents.begin(), scene.agents.end(), has_route)) return;
+  const auto needs_goal = [](const AgentStart& start) { return start.route || start.leader; };
+  if (std::none_of(scene.agents.begin(), scene.agents.end(), needs_goal)) return;
   const World world(scene, stop);
   Population population(scene);
   for (std::size_t i = 0; i < scene.agents.size(); ++i) {
@@ -55,7 +57,24 @@ void Population::chooseFirstGoals(Scene& scene, const StopRequest& stop) {
     member.route.emplace(population.description_->routes[*start.route],
                          population.randomOfRoute(static_cast<AgentId>(i), world.tick()));
     start.goals = {population.goalOfLeg(member, start.position, start.radius, world)};
+  }
+  population.chooseGoalsOfFollowers(scene, world);
+  for (AgentStart& start : scene.agents) {
     if (start.faces_goal) start.heading = wrapAngle(bearingOf(start.goals.front() - start.position));
+  }
+}
+
+void Population::chooseGoalsOfFollowers(Scene& scene, const World& world) const {
+  std::map<GroupId, std::size_t> counts;  // of followers
+  for (AgentStart& start : scene.agents) {
+    if (!start.leader) continue;
+    const std::size_t number = counts[groupOf(*start.leader)]++;
+    if (start.leader->kind == Leader::Kind::ROBOT) {
+      start.goals = {followers_.goalBehind(start.leader->number, number, start.radius, world)};
+    } else {
+      const AgentStart& leader = scene.agents[start.leader->number];
+      start.goals = {followers_.goalBeside(leader.goals.front(), leader.position, number, start.radius, world)};
+    }
   }
 }
 
@@ -77,6 +96,7 @@ void Population::begin(World& world, RouteObserver& observer) {
 }
 
 void Population::admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer) {
+  if (start.leader) followers_.add(id, *start.leader, isEndless(*start.leader, world), world, observer);
   if (!start.route && start.reaction_time <= 0.0) return;
   world.stopRequest().throwIfMade();
   Member& member = members_.emplace_back();
@@ -94,11 +114,12 @@ void Population::admit(AgentId id, const AgentStart& start, World& world, RouteO
 Vector2 Population::goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) {
   const WaypointDescription& waypoint = member.route->waypoint();
   if (waypoint.kind == Kind::PLACE) {
-    return places_.drawGoal(waypoint.place, from, radius, member.route->random(), world, reachIn(world));
+    return places_->drawGoal(waypoint.place, from, radius, member.route->random(), world, reachIn(world));
   }
   if (waypoint.kind == Kind::QUEUE) return queues_[waypoint.target].end();
   member.sink = waypoint.target;
-  if (waypoint.kind == Kind::SINK) return places_.nearestIn(description_->sinks[member.sink].area, from, radius, world);
+  if (waypoint.kind == Kind::SINK)
+    return places_->nearestIn(description_->sinks[member.sink].area, from, radius, world);
   return nearestSink(member, from, radius, world);
 }
 
@@ -106,7 +127,7 @@ Vector2 Population::nearestSink(Member& member, const Vector2& from, double radi
   Vector2 nearest = from;
   std::optional<WayLengths::Way> shortest;
   for (std::size_t sink = 0; sink < description_->sinks.size(); ++sink) {
-    const Vector2 place = places_.nearestIn(description_->sinks[sink].area, from, radius, world);
+    const Vector2 place = places_->nearestIn(description_->sinks[sink].area, from, radius, world);
     const WayLengths::Way way = wayTo(place, from, radius, world);
     if (shortest && !(way < *shortest)) continue;
     shortest = way;
@@ -183,20 +204,30 @@ void Population::serveQueues(World& world, RouteObserver& observer) {
   }
 }
 
+/// Sets the first goal of an agent of a source, if its route or its leader has it, and its velocity.
+void Population::completeStart(AgentId id, AgentStart& start, const World& world) {
+  if (start.route) {
+    Member member;
+    member.route.emplace(description_->routes[*start.route], randomOfRoute(id, world.tick()));
+    start.goals = {goalOfLeg(member, start.position, start.radius, world)};
+  }
+  if (start.leader) {
+    const Agent& leader = world.agents()[start.leader->number];
+    const std::size_t number = followers_.countOf(*start.leader);
+    start.goals = {followers_.goalBeside(leader.goal(), leader.pose.position, number, start.radius, world)};
+  }
+  start.heading = bearingOf(start.goals.front() - start.position);
+  start.velocity = entryVelocity(start, world);
+}
+
 void Population::spawn(World& world, RouteObserver& observer) {
   for (AgentSource& source : sources_) {
     while (world.activeCount() < limits::BODIES) {
-      std::optional<AgentStart> start = source.next(world, places_, reachIn(world));
+      std::optional<AgentStart> start = source.next(world, *places_, reachIn(world));
       if (!start) break;
       world.stopRequest().throwIfMade();
       const auto id = static_cast<AgentId>(world.enteredCount());
-      if (start->route) {
-        Member member;
-        member.route.emplace(description_->routes[*start->route], randomOfRoute(id, world.tick()));
-        start->goals = {goalOfLeg(member, start->position, start->radius, world)};
-        start->heading = bearingOf(start->goals.front() - start->position);
-      }
-      start->velocity = entryVelocity(*start, world);
+      completeStart(id, *start, world);
       WorldEditor(world).spawnAgent(*start);
       observer.watch(*start, world);
       admit(id, *start, world, observer);
@@ -212,6 +243,7 @@ void Population::updateAll(World& world, RouteObserver& observer) {
   };
   const auto is_done = [&](const Member& member) { return !member.route && world.time() >= member.reacts_at; };
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_gone), members_.end());
+  followers_.update(world, observer);
   updateGates(world);
   for (Member& member : members_) walk(member, world, observer);
   serveQueues(world, observer);
@@ -229,6 +261,14 @@ bool Population::expectsAgents() const {
   return std::any_of(sources_.begin(), sources_.end(), [](const AgentSource& source) { return !source.isOver(); });
 }
 
+/// Whether an agent's leader never arrives.
+bool Population::isEndless(const Leader& leader, const World& world) const {
+  if (leader.kind == Leader::Kind::ROBOT) return !world.robots().require(leader.number).hasGoal();
+  const auto is_it = [&](const Member& member) { return member.id == leader.number; };
+  const auto member = std::find_if(members_.begin(), members_.end(), is_it);
+  return member != members_.end() && member->route && member->route->repeats();
+}
+
 void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways, World& world,
                           RouteObserver& observer) {
   const auto index = findName(description_->routes, route);
@@ -236,14 +276,16 @@ void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways
   if (ways != nullptr && world.isActive(id)) {
     const Agent& agent = world.agents()[id];
     const std::string name = "agent " + std::to_string(id);
-    RouteCheck(name, agent.radius, *description_, places_, *ways, world)
+    RouteCheck(name, agent.radius, *description_, *places_, *ways, world)
         .require(description_->routes[*index], agent.pose.position);
     Member candidate;
     candidate.route.emplace(description_->routes[*index], randomOfRoute(id, world.tick()));
     const Vector2 goal = goalOfLeg(candidate, agent.pose.position, agent.radius, world);
     ways->requireWay(name, world, agent.pose.position, goal, agent.radius);
   }
-  world.walkingAgent(id).leaves = false;  // throws for unknown agents
+  world.walkingAgent(id);  // throws for unknown agents
+  followers_.drop(id, world, observer);
+  world.walkingAgent(id).leaves = false;
   for (Queue& queue : queues_) queue.leave(id);
   Member* member = find(id);
   if (member == nullptr) {
@@ -260,6 +302,7 @@ void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways
 }
 
 void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
+  followers_.drop(id, world, observer);
   Member* const member = find(id);
   if (member == nullptr || !member->route) return;
   for (Queue& queue : queues_) queue.leave(id);

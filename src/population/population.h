@@ -8,6 +8,7 @@
 
 #include "navigation/way_lengths.h"
 #include "population/agent_source.h"
+#include "population/followers.h"
 #include "population/gate.h"
 #include "population/place_picker.h"
 #include "population/queue.h"
@@ -26,7 +27,7 @@ class Population {
  public:
   explicit Population(const Scene& scene);
 
-  /// @brief Sets the first goals, and headings towards them, of the agents of a scene that have routes.
+  /// @brief Sets the first goals, and headings towards them, of the agents of a scene that have routes or leaders.
   /// @throws Stopped if `stop` is made, as begin() and update() do for that of the world
   static void chooseFirstGoals(Scene& scene, const StopRequest& stop = {});
 
@@ -67,7 +68,9 @@ class Population {
   };
 
   /// Whether there is nothing to update, as in scenes of agents with goals alone.
-  bool isEmpty() const { return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty(); }
+  bool isEmpty() const {
+    return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty() && followers_.empty();
+  }
   void updateAll(World& world, RouteObserver& observer);
   /// Uses this description from now on. The one before is kept, because queues, gates and routes refer to it.
   void adopt(const Scene& scene, PopulationDescription description);
@@ -78,6 +81,8 @@ class Population {
   /// Returns the goal of an agent's present leg, and sets its sink.
   Vector2 goalOfLeg(Member& member, const Vector2& from, double radius, const World& world);
   /// Returns a place in the sink with the shortest way, and sets the member's sink.
+  void chooseGoalsOfFollowers(Scene& scene, const World& world) const;
+  bool isEndless(const Leader& leader, const World& world) const;
   Vector2 nearestSink(Member& member, const Vector2& from, double radius, const World& world);
   /// The way to a place; without way-finding the straight line.
   WayLengths::Way wayTo(const Vector2& place, const Vector2& from, double radius, const World& world);
@@ -88,12 +93,14 @@ class Population {
   void walk(Member& member, World& world, RouteObserver& observer);
   void hold(const Member& member, World& world) const;
   void serveQueues(World& world, RouteObserver& observer);
+  void completeStart(AgentId id, AgentStart& start, const World& world);
   void spawn(World& world, RouteObserver& observer);
 
   std::shared_ptr<const PopulationDescription> description_;
   std::vector<std::shared_ptr<const PopulationDescription>> earlier_;  // descriptions, which others refer to
   std::uint64_t seed_;
-  PlacePicker places_;
+  std::unique_ptr<const PlacePicker> places_;  // `followers_` refers to it, also when the population moves
+  Followers followers_;
   std::optional<WayLengths> ways_;  // with way-finding
   std::vector<AgentStart> starts_;  // until begin()
   std::vector<AgentSource> sources_;

@@ -27,8 +27,10 @@ std::vector<Vector2> startsOf(const Scene& scene) {
 bool isDivisible(const Scene& scene) {
   if (scene.order == Order::SEQUENTIAL || !scene.robots.empty()) return false;
   if (scene.population && !scene.population->empty()) return false;
-  const auto waits = [](const AgentStart& start) { return start.route || start.reaction_time > 0.0; };
-  if (std::any_of(scene.agents.begin(), scene.agents.end(), waits)) return false;
+  const auto depends = [](const AgentStart& start) {
+    return start.route || start.reaction_time > 0.0 || start.group != NO_GROUP;
+  };
+  if (std::any_of(scene.agents.begin(), scene.agents.end(), depends)) return false;
   double radius = 0.0;
   for (const AgentStart& start : scene.agents) radius = std::max(radius, start.radius);
   if (!scene.way_finding || radius == 0.0) return true;

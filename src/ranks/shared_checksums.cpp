@@ -48,6 +48,7 @@ std::string checksumOf(const Scene& scene) {
     write(start.max_speed);
     write(start.radius);
     write(start.velocity);
+    write(start.group);
     write(start.leaves);
   }
   for (const Obstacle& obstacle : scene.obstacles) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/closest_points.h"
 #include "geometry/impact.h"
 #include "scenario/scene.h"
 
@@ -38,6 +39,13 @@ std::optional<Blocker> PlacedBodies::findBlocker(const Footprint& footprint, con
 bool PlacedBodies::isNearGoal(const Vector2& centre, double radius) const {
   return goals_.isAnyNear(centre, radius, [&](std::size_t number) {
     return (goals_[number].centre - centre).norm() < radius + goals_[number].radius;
+  });
+}
+
+bool PlacedBodies::canWalkBetween(const Vector2& from, const Vector2& to) const {
+  return std::none_of(walls_.begin(), walls_.end(), [&](const Segment& wall) {
+    const ClosestPoints points = closestPoints(wall, {from, to});
+    return (points.of_first - points.of_second).norm() <= TOUCH_TOLERANCE;
   });
 }
 

@@ -57,6 +57,8 @@ class PlacedBodies {
   std::optional<Blocker> findBlocker(const Footprint& footprint, const Pose& pose) const;
   /// @brief Whether a disc overlaps an agent that stands at its goal.
   bool isNearGoal(const Vector2& centre, double radius) const;
+  /// @brief Whether no wall separates two places [m].
+  bool canWalkBetween(const Vector2& from, const Vector2& to) const;
   /// @brief Whether a disc overlaps neither walls nor bodies at rest.
   bool canStandAt(const Vector2& point, double radius) const;
 

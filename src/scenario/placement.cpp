@@ -5,6 +5,7 @@
 #include "common/text/numbers.h"
 #include "geometry/impact.h"
 #include "scenario/goal_checks.h"
+#include "scenario/group_placement.h"
 #include "scenario/placed_bodies.h"
 #include "scenario/robot_placement.h"
 #include "scenario/route_reach.h"
@@ -15,6 +16,7 @@ namespace {
 
 /// Number of draws that require non-overlapping goals; later draws permit overlaps, since crowded goals may not fit.
 constexpr int TRIES_FOR_SEPARATE_GOALS = 200;
+constexpr int TRIES_BESIDE = 20;  // of a place beside the leader that no wall separates from it
 
 /// Calls work(group, label, index) for each body of these groups; `index` counts the bodies.
 template <typename Groups, typename Work>
@@ -63,6 +65,7 @@ class Placement {
         stop_(stop),
         random_(run_seed, KeyedRandom::PLACEMENT, {scenario.seed, episode}),
         robot_random_(run_seed, KeyedRandom::ROBOT_PLACEMENT, {scenario.seed, episode}),
+        group_random_(run_seed, KeyedRandom::GROUPS, {scenario.seed, episode}),
         scene_(emptyScene(scenario)),
         placed_(scene_.walls) {
     scene_.population_seed = KeyedRandom(run_seed, KeyedRandom::POPULATION, {scenario.seed, episode}).next();
@@ -90,6 +93,7 @@ class Placement {
   };
   void placeFixedAgents();
   void completeAgents();
+  Vector2 drawPosition(const AgentGroup& group, const AgentStart& agent, int tries);
   void completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, Demands& demands);
   bool areConnected(const Vector2& from, const Vector2& to) const;
   bool drawGoals(const AgentGroup& group, AgentStart& agent, const Demands& demands, int& unconnected);
@@ -99,6 +103,7 @@ class Placement {
   const StopRequest& stop_;
   KeyedRandom random_;
   KeyedRandom robot_random_;
+  KeyedRandom group_random_;
   Scene scene_;
   PlacedBodies placed_;
 };
@@ -121,6 +126,7 @@ Scene Placement::place() {
   completeAgents();
   placeObstacles(Position::BETWEEN);
   placeRobots(scenario_, false, robot_random_, placed_, scene_);
+  assignGroups(scenario_, scene_);
   return std::move(scene_);
 }
 
@@ -210,14 +216,22 @@ void Placement::placeFixedAgents() {
 
 void Placement::completeAgents() {
   Demands demands;
+  std::optional<Parties> parties;
   forEachBody("agents", scenario_.agents, stop_, [&](const AgentGroup& group, const Label& label, std::size_t index) {
-    if (label.number == 1) demands = Demands();
+    if (label.number == 1) {
+      demands = Demands();
+      parties.emplace(group.groups, group_random_);
+    }
     AgentStart& agent = scene_.agents[index];
+    const auto left = static_cast<std::size_t>(group.count - label.number + 1);
+    agent.leader = leaderOf(group, parties->next(static_cast<AgentId>(index), left));
     completeAgent(group, label, agent, demands);
     agent.max_speed = group.max_speed.draw(random_);
-    agent.route = group.route;
-    agent.faces_goal = group.route && !group.heading;
-    if (group.route) agent.goals = {agent.position};  // Episode draws the first goal of the route
+    const bool waits_for_goal = group.route || agent.leader;  // Episode determines the first goal
+    if (!agent.leader) agent.route = group.route;
+    agent.faces_goal = waits_for_goal && !group.heading;
+    if (waits_for_goal) agent.goals = {agent.position};
+    agent.leaves = !agent.leader;
     agent.heading = group.heading ? group.heading->draw(random_) : bearingOf(agent.goals.front() - agent.position);
     agent.heading = wrapAngle(agent.heading);
     agent.keeps_heading = group.keeps_heading;
@@ -229,7 +243,7 @@ void Placement::completeAgents() {
 
 /// An agent that has arrived before it walks counts as a success. What is drawn is drawn so that this does not happen.
 void Placement::requireWay(const AgentGroup& group, const Label& label) const {
-  if (group.route) return;
+  if (group.route || group.leader) return;
   const bool goal_is_fixed = group.opposite || group.goals.front().isFixed();
   if (!group.position.isFixed() || !goal_is_fixed) return;
   const Vector2& start = group.position.first;
@@ -240,6 +254,19 @@ void Placement::requireWay(const AgentGroup& group, const Label& label) const {
                   toText(scenario_.goal_tolerance) + " m)");
 }
 
+/// A place in the region of the entry; for those who walk with another agent of the entry beside that one, if there is
+/// room.
+Vector2 Placement::drawPosition(const AgentGroup& group, const AgentStart& agent, int tries) {
+  const bool follows = agent.leader && !group.leader && tries < MAX_TRIES / 2;
+  if (!follows) return group.position.draw(random_, scene_.free_space.get());
+  const Vector2& leader = scene_.agents[agent.leader->number].position;
+  for (int i = 0; i < TRIES_BESIDE; ++i) {
+    const Vector2 place = placesBeside(leader, group.radius.high).draw(random_);
+    if (placed_.canWalkBetween(leader, place)) return place;
+  }
+  return leader;  // taken
+}
+
 void Placement::completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, Demands& demands) {
   requireWay(group, label);
   const bool placed = group.position.isFixed();
@@ -248,7 +275,7 @@ void Placement::completeAgent(const AgentGroup& group, const Label& label, Agent
     demands.connected = demands.connected && unconnected < MAX_TRIES / 2;
     demands.separate = demands.separate && tries - unconnected < TRIES_FOR_SEPARATE_GOALS;
     if (!placed) {
-      agent.position = group.position.draw(random_, scene_.free_space.get());
+      agent.position = drawPosition(group, agent, tries);
       agent.radius = group.radius.draw(random_);
       if (placed_.findBlocker(agent.position, agent.radius, DRAWN_GAP)) {
         continue;
@@ -276,6 +303,7 @@ bool Placement::areConnected(const Vector2& from, const Vector2& to) const {
 
 bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, const Demands& demands, int& unconnected) {
   agent.goals.clear();
+  if (agent.leader) return true;
   const bool is_anywhere = group.position.kind == Region::Kind::FREE;
   if (group.route && is_anywhere) {
     return connectsRoute(*scene_.free_space, *scene_.population, *group.route, agent.position);

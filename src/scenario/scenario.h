@@ -10,6 +10,7 @@
 #include "common/stop_request.h"
 #include "maps/floor_reach.h"
 #include "maps/free_space.h"
+#include "scenario/group_share.h"
 #include "scenario/scene.h"
 
 namespace crowd {
@@ -38,6 +39,19 @@ struct Region {
   bool isFixed() const { return kind == Kind::POINT; }
 };
 
+/// @brief Whom the agents of an entry follow.
+struct LeaderDescription {
+  AgentId agent = 0;
+  std::string robot;               ///< its name; empty: the agent leads
+  std::uint32_t robot_number = 0;  ///< index of this robot
+};
+
+/// @brief One entry under `groups`: agents that walk together, each to its own goal.
+struct GroupDescription {
+  int line = 0;  ///< in the file, for messages
+  std::vector<AgentId> members;
+};
+
 /// @brief One entry under `agents`: `count` agents with the same description.
 struct AgentGroup {
   int line = 0;  ///< in the file, for messages
@@ -50,8 +64,10 @@ struct AgentGroup {
   std::optional<Range> heading;        ///< [rad]; absent: towards the first goal
   Vector2 velocity = Vector2::Zero();  ///< at the start [m/s]
   bool keeps_heading = false;          ///< see AgentStart
-  std::optional<std::size_t> route = std::nullopt;  ///< index of a route of the population, instead of goals
-  Range reaction_time;                              ///< [s], see AgentStart
+  std::optional<std::size_t> route = std::nullopt;         ///< index of a route of the population, instead of goals
+  Range reaction_time;                                     ///< [s], see AgentStart
+  std::optional<LeaderDescription> leader = std::nullopt;  ///< instead of goals
+  GroupShare groups;                                       ///< of agents that share the goals of the first one
   /// Where its agents can walk, for drawing places; null: nothing is drawn, or nothing is in the way.
   std::shared_ptr<const FloorReach> reach = nullptr;
 };
@@ -103,6 +119,7 @@ struct Scenario {
   Order order = Order::SIMULTANEOUS;
   std::uint64_t seed = 0;  ///< combined with the seed of the run
   std::vector<AgentGroup> agents;
+  std::vector<GroupDescription> groups;
   std::vector<ObstacleGroup> obstacles;
   std::vector<RobotGroup> robots;
   Ends ends = Ends::ALL;                                  ///< see Scene

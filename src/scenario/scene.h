@@ -36,6 +36,23 @@ inline constexpr EnumNames<Ends, 2> ENDS{"ends", {"all", "robots"}};
 /// @brief Inner radius (thesis, 4.1) [m], see Scene::collision_radius.
 constexpr double DEFAULT_COLLISION_RADIUS = 0.5;
 
+/// @brief The number of a group of agents that walk together: that of its leader, or else of its first member.
+using GroupId = std::uint32_t;
+/// @brief The group of agents that walk alone.
+constexpr GroupId NO_GROUP = ~GroupId{0};
+
+/// @brief Whom an agent follows, instead of goals of its own.
+struct Leader {
+  enum class Kind : std::uint8_t { AGENT, ROBOT };
+  Kind kind = Kind::AGENT;
+  std::uint32_t number = 0;  ///< id of the agent or the robot
+};
+
+/// @brief The group of those who follow a leader.
+constexpr GroupId groupOf(const Leader& leader) {
+  return leader.kind == Leader::Kind::AGENT ? leader.number : agentIdOf(leader.number) - 1;
+}
+
 /// @brief Initial state and goals of an agent.
 struct AgentStart {
   Vector2 position = Vector2::Zero();  ///< [m], `map`
@@ -47,6 +64,8 @@ struct AgentStart {
   bool leaves = true;                  ///< leaves the world at its last goal; else it stays until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
   std::optional<std::size_t> route = std::nullopt;  ///< index of its route; `goals` are not used then
+  std::optional<Leader> leader = std::nullopt;      ///< `goals` are not used then
+  GroupId group = NO_GROUP;                         ///< walks with the others of this group
   double reaction_time = 0.0;                       ///< it stands until this time has passed since it appeared [s]
   bool faces_goal = false;                          ///< with a route: `heading` is to be towards the first goal
 };

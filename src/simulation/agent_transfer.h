@@ -24,6 +24,7 @@ void transferAgent(Archive& archive, AnAgent& agent) {
   archive(agent.waypoint);
   archive(agent.goal_number);
   archive(agent.status);
+  archive(agent.group);
   archive(agent.leaves);
   archive(agent.has_waypoint);
   archive(agent.at_goal);

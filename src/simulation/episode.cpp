@@ -35,12 +35,11 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
 void Episode::noteChange() {
   ++changes_;
   are_current_ = false;
-  if (!findsWays()) return;
   try {
     way_finder_.update(world_);
   } catch (const InputError& error) {  // the floor is too large
     way_finding_problem_ = error.what();
-    WayFinder::release(world_);
+    way_finder_.giveUp(world_);
   }
 }
 

@@ -37,6 +37,7 @@ struct Agent {
         radius(start.radius),
         goals(start.goals),
         present_goal(start.goals.front()),
+        group(start.group),
         leaves(start.leaves) {}
 
   AgentId id = 0;
@@ -54,6 +55,7 @@ struct Agent {
   Vector2 waypoint = Vector2::Zero();      ///< where it is to walk now, see setWaypoint() [m], `map`
   std::uint32_t goal_number = 0;           ///< number of changes of the goal or the waypoint
   AgentStatus status = AgentStatus::WALKING;
+  GroupId group = NO_GROUP;         ///< see AgentStart
   bool leaves = true;               ///< see AgentStart
   bool has_waypoint = false;        ///< it perceives `waypoint` as its goal
   bool at_goal = false;             ///< reached its last goal, but does not leave
@@ -78,6 +80,7 @@ struct Agent {
   void setHeld(Hold reason, bool is_held) {
     holds = static_cast<std::uint8_t>(is_held ? holds | bitOf(reason) : holds & ~bitOf(reason));
   }
+  double paceOf(Pace reason) const { return paces[static_cast<std::size_t>(reason)]; }
   /// @brief Sets a factor of its speed. World lets `max_speed` follow at the end of the tick.
   void setPace(Pace reason, double factor) {
     paces[static_cast<std::size_t>(reason)] = factor;

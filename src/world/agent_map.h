@@ -55,6 +55,10 @@ class AgentMap {
     const std::size_t position = positionOf(id);
     return position < size() ? &values_[position] : nullptr;
   }
+  Value* find(AgentId id) {
+    const std::size_t position = positionOf(id);
+    return position < size() ? &values_[position] : nullptr;
+  }
   /// @brief The value of an agent that must be there.
   const Value& operator[](AgentId id) const { return values_[positionOf(id)]; }
   Value& operator[](AgentId id) { return values_[positionOf(id)]; }

@@ -166,7 +166,7 @@ TEST(WayFinder, KnowsWhichGoalsAreOutOfReach) {
 TEST(WayFinder, ReleasedAgentsPerceiveTheirGoals) {
   Led led({walker({-2.0, 0.0}, {2.0, 0.0}), walker({-1.0, 0.0}, {2.0, 0.0})}, {{{0.0, -9.0}, {0.0, 3.0}}});
   led.world.walkingAgent(1).yielding = true;
-  WayFinder::release(led.world);
+  led.ways.giveUp(led.world);
   for (AgentId id = 0; id < 2; ++id) {
     EXPECT_EQ(led.agent(id).perceivedGoal(), Vector2(2.0, 0.0));
     EXPECT_FALSE(led.agent(id).yielding);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "scenario/reading/group_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/region_reader.h"
@@ -10,6 +11,7 @@ namespace crowd {
 namespace {
 
 void readGoals(const YamlMap& map, const PopulationDescription& population, AgentGroup& group) {
+  if (group.leader) return;
   if (const YAML::Node route = map.find("route")) {
     if (map.has("goal") || map.has("goals")) {
       throwProblem(map.place(), route, "expected only one of goal, goals and route");
@@ -72,13 +74,20 @@ void readWalk(const YamlMap& map, const Units& units, const PopulationDescriptio
 
 AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units,
                       const PopulationDescription& population) {
-  const YamlMap map(
-      node, place,
-      {"position", "goal", "goals", "route", "speed", "radius", "heading", "velocity", "reaction_time", "count"});
+  const YamlMap map(node, place,
+                    {"position", "goal", "goals", "route", "speed", "radius", "heading", "velocity", "reaction_time",
+                     "count", "leader", "groups"});
   AgentGroup group;
   group.line = lineOf(node);
   group.position = readRegion(map.need("position"), map.placeOf("position"));
+  if (map.has("leader")) {
+    for (const char* key : {"goal", "goals", "route", "groups"}) {
+      if (map.has(key)) throwProblem(map.placeOf(key), map.need(key), "goes without `leader` only");
+    }
+    group.leader = readLeader(map);
+  }
   readWalk(map, units, population, group);
+  group.groups = readGroupShare(map);
   readFirstHeading(map, group);
   readFirstVelocity(map, units, group);
   if (const YAML::Node reaction = map.find("reaction_time")) {

@@ -6,6 +6,7 @@
 
 #include "scenario/population_checks.h"
 #include "scenario/reading/agent_reader.h"
+#include "scenario/reading/group_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/region_reader.h"
@@ -121,11 +122,11 @@ void readCrowd(const YamlMap& map, const Units& units, const PopulationDescripti
 }
 
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
-  const YamlMap map(
-      node, place,
-      {"name",   "units",     "tick",   "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
-       "agents", "obstacles", "walls",  "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
-       "queues", "gates",     "robots", "ends",     "motion"});
+  const YamlMap map(node, place,
+                    {"name",    "units",       "tick",        "duration", "goal_tolerance", "collision_radius",
+                     "contact", "order",       "seed",        "agents",   "obstacles",      "walls",
+                     "map",     "free_radius", "way_finding", "routes",   "sources",        "sinks",
+                     "queues",  "gates",       "robots",      "ends",     "motion",         "groups"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -150,6 +151,8 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
     throwProblem(map.placeOf("ends"), map.need("ends"), "there are no robots");
   }
   readCrowd(map, units, population, scenario);
+  scenario.groups = readGroups(map);
+  resolveGroups(scenario, map.place());
   const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
   scenario.obstacles = readList<ObstacleGroup>(map.find("obstacles"), map.placeOf("obstacles"), obstacles);
   requireFewBodies(map, "obstacles", scenario.obstacles);

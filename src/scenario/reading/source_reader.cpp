@@ -1,5 +1,6 @@
 #include "common/text/numbers.h"
 #include "scenario/reading/agent_reader.h"
+#include "scenario/reading/group_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/region_reader.h"
@@ -58,14 +59,15 @@ void readSchedule(const YamlMap& map, SourceDescription& source) {
 std::vector<SourceDescription> readSources(const YamlMap& map, const Units& units,
                                            const PopulationDescription& population) {
   const auto read = [&](const YAML::Node& node, const YamlPlace& place) {
-    const YamlMap entry(
-        node, place,
-        {"area", "rate", "times", "interval", "from", "until", "count", "goal", "goals", "route", "speed", "radius"});
+    const YamlMap entry(node, place,
+                        {"area", "rate", "times", "interval", "from", "until", "count", "goal", "goals", "route",
+                         "speed", "radius", "groups"});
     SourceDescription source;
     source.agents.line = lineOf(node);
     source.agents.position = readRegion(entry.need("area"), entry.placeOf("area"));
     readSchedule(entry, source);
     readWalk(entry, units, population, source.agents);
+    source.agents.groups = readGroupShare(entry);
     return source;
   };
   return readList<SourceDescription>(map.find("sources"), map.placeOf("sources"), read);

@@ -79,12 +79,21 @@ std::string gateText(const GateDescription& gate) {
   return "wall: [" + pointText(gate.wall.from) + ", " + pointText(gate.wall.to) + "], open: " + open;
 }
 
+std::string sharesText(const GroupShare& groups) {
+  if (groups.share <= 0.0) return "";
+  std::string sizes;
+  for (std::size_t i = 0; i < groups.weights.size(); ++i) {
+    sizes += (i > 0 ? ", " : "") + std::to_string(i + 2) + ": " + toText(groups.weights[i]);
+  }
+  return ", groups: {share: " + toText(groups.share) + ", sizes: {" + sizes + "}}";
+}
+
 std::string sourcesText(const PopulationDescription& population) {
   std::string text;
   for (const SourceDescription& source : population.sources) {
     text += "  - {area: " + regionText(source.agents.position) + ", " + scheduleText(source) + ", " +
             goalText(source.agents, population) + ", speed: " + rangeText(source.agents.max_speed) +
-            ", radius: " + rangeText(source.agents.radius) + "}\n";
+            ", radius: " + rangeText(source.agents.radius) + sharesText(source.agents.groups) + "}\n";
   }
   return text.empty() ? "" : "sources:\n" + text;
 }

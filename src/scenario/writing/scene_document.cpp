@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "common/text/numbers.h"
 #include "scenario/population_spec.h"
@@ -12,6 +14,10 @@ namespace crowd {
 namespace {
 
 std::string goalText(const AgentStart& agent, const Scene& scene) {
+  if (agent.leader && agent.leader->kind == Leader::Kind::AGENT) {
+    return "leader: " + std::to_string(agent.leader->number);
+  }
+  if (agent.leader) return "leader: {robot: " + quotedYaml(scene.robots[agent.leader->number].name) + "}";
   if (agent.route) return "route: " + quotedYaml(scene.population->routes[*agent.route].name);
   return "goals: " + pointsText(agent.goals);
 }
@@ -43,6 +49,24 @@ std::string agentsText(const Scene& scene) {
   std::string text;
   for (const AgentStart& agent : scene.agents) text += entryOf(agent, scene);
   return text.empty() ? "" : "agents:\n" + text;
+}
+
+/// The groups whose members have goals of their own.
+std::string groupsText(const Scene& scene) {
+  std::map<GroupId, std::string> members;
+  std::set<GroupId> led;
+  for (std::size_t i = 0; i < scene.agents.size(); ++i) {
+    const AgentStart& agent = scene.agents[i];
+    if (agent.group == NO_GROUP) continue;
+    if (agent.leader) led.insert(agent.group);
+    std::string& text = members[agent.group];
+    text += (text.empty() ? "" : ", ") + std::to_string(i);
+  }
+  std::string text;
+  for (const auto& [group, numbers] : members) {
+    if (led.count(group) == 0) text += "  - {members: [" + numbers + "]}\n";
+  }
+  return text.empty() ? "" : "groups:\n" + text;
 }
 
 /// The walls; those of a map that is read from its file are not among them.
@@ -93,7 +117,7 @@ std::string toDocument(const Scene& scene, const std::string& folder) {
               : "") +
          (scene.seed != 0 ? "seed: " + std::to_string(scene.seed) + "\n" : "") +
          (scene.way_finding ? "" : "way_finding: false\n") + mapText(scene, folder) + agentsText(scene) +
-         section("obstacles", scene.obstacles) + wallsText(scene) + robotsText(scene) +
+         groupsText(scene) + section("obstacles", scene.obstacles) + wallsText(scene) + robotsText(scene) +
          (scene.population ? populationText(*scene.population) : "");
 }
 

@@ -1,0 +1,194 @@
+#include "navigation/group_walking.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crowd {
+namespace {
+
+constexpr double BODY_GAP = 0.3;           // least gap between mates side by side [m]
+constexpr double ROW_DISTANCE = 1.0;       // between rows [m]
+constexpr double AREA_RADIUS = 3.0;        // of the disc ahead in which the density is measured [m]
+constexpr double BENT_DENSITY = 0.25;      // at which a V is bent fully [1/m2]
+constexpr double FULL_BEND = 0.6;          // its angle [rad]
+constexpr double PAIR_DENSITY = 0.6;       // from which at most two walk abreast [1/m2]
+constexpr double FILE_DENSITY = 1.2;       // from which they walk in file [1/m2]
+constexpr double ROW_HOLD = 0.4;           // lead by which a member leaves its row for the one ahead [m]
+constexpr double CATCH_UP = 0.6;           // speed gained for each metre behind its place [1/s]
+constexpr double LEAST_PACE = 0.2;         // of the speed of the group
+constexpr double LEAST_NARROW_PACE = 0.7;  // the same in narrow places, which others want to pass
+constexpr double MOST_PACE = 1.15;         // of the agent's own speed
+constexpr double WIDE_CLEARANCE = 0.9;     // of places that are not narrow [m]
+constexpr double LONGEST_SHIFT = 1.0;      // [m]
+constexpr double LEAST_SHIFT = 0.05;       // [m]
+
+/// The speed that an agent would have without its mates [m/s].
+double speedAlone(const Agent& agent) { return agent.wanted_speed / agent.paceOf(Pace::GROUP); }
+
+Vector2 leftOf(const Vector2& forward) { return {-forward.y(), forward.x()}; }
+
+}  // namespace
+
+void GroupWalking::update(World& world, const Paths& paths, const FloorRuler* floor) {
+  collect(world);
+  const double ticks = std::max(1.0, std::round(DECISION_TIME / world.tickDuration()));
+  for (auto& [number, group] : groups_) {
+    if (world.tick() < group.decision_tick) continue;
+    world.stopRequest().throwIfMade();
+    // Groups decide at different ticks, so that a tick costs about the same.
+    group.decision_tick = world.tick() + static_cast<std::uint64_t>(ticks);
+    decide(group, world, paths, floor);
+  }
+}
+
+/// Finds the members of all groups that are on their way.
+void GroupWalking::collect(const World& world) {
+  for (auto& [number, group] : groups_) group.members.clear();
+  for (const Agent& agent : world.agents()) {
+    const bool walks = agent.group != NO_GROUP && agent.isWalking() && !agent.at_goal;
+    if (walks) groups_[agent.group].members.push_back(agent.id);
+  }
+  for (auto group = groups_.begin(); group != groups_.end();) {
+    group = group->second.members.empty() ? groups_.erase(group) : std::next(group);
+  }
+  if (!groups_.empty() || !members_.empty()) members_.follow(world.agents());
+}
+
+void GroupWalking::decide(const Group& group, World& world, const Paths& paths, const FloorRuler* floor) {
+  Vector2 forward = Vector2::Zero();
+  std::vector<Walker> walkers = walkersOf(group, world, paths, forward);
+  if (walkers.size() < 2 || forward == Vector2::Zero()) {
+    for (const Walker& walker : walkers) {
+      world.walkingAgent(walker.agent->id).setPace(Pace::GROUP, 1.0);
+      members_[walker.agent->id] = Member();
+    }
+    return;
+  }
+  double radius = 0.0;
+  for (const Walker& walker : walkers) radius = std::max(radius, walker.agent->radius);
+  const double spacing = std::max(SPACING, 2.0 * radius + BODY_GAP);
+  const double density = densityAhead(walkers, forward, world);
+  const std::size_t columns = columnsFor(walkers, spacing, forward, density, floor);
+  arrange(walkers, columns, spacing, FULL_BEND * std::min(1.0, density / BENT_DENSITY));
+  assign(walkers, world, floor);
+}
+
+/// The members, with their positions relative to the mean: along the way by the remaining length of their ways, so that
+/// they are compared round corners, too. @param forward is set to the direction of the group, zero if it has none
+std::vector<GroupWalking::Walker> GroupWalking::walkersOf(const Group& group, const World& world, const Paths& paths,
+                                                          Vector2& forward) const {
+  std::vector<Walker> walkers;
+  Vector2 centre = Vector2::Zero();
+  double remaining = 0.0;
+  for (const AgentId id : group.members) {
+    Walker& walker = walkers.emplace_back();
+    walker.agent = &world.agents()[id];
+    const Vector2& place = walker.agent->pose.position;
+    const RemainingPath* const path = paths.find(id);
+    const RemainingPath straight = {walker.agent->goal()};
+    const bool has_path = path != nullptr && !path->empty() && path->back() == walker.agent->goal();
+    const RemainingPath& way = has_path ? *path : straight;
+    walker.ahead = -lengthOf({way.data(), way.size()}, place);
+    walker.row = members_[id].row;
+    const Vector2 offset = pointAlong({way.data(), way.size()}, place, LOOKAHEAD) - place;
+    if (offset != Vector2::Zero()) forward += offset.normalized();
+    centre += place;
+    remaining -= walker.ahead;
+  }
+  const auto count = static_cast<double>(walkers.size());
+  if (forward.norm() > 1e-9) forward.normalize();
+  for (Walker& walker : walkers) {
+    walker.ahead += remaining / count;
+    walker.left = (walker.agent->pose.position - centre / count).dot(leftOf(forward));
+  }
+  return walkers;
+}
+
+/// Others on their way in a disc ahead of the group [1/m2].
+double GroupWalking::densityAhead(const std::vector<Walker>& walkers, const Vector2& forward, const World& world) {
+  Vector2 centre = AREA_RADIUS * forward;
+  for (const Walker& walker : walkers) centre += walker.agent->pose.position / static_cast<double>(walkers.size());
+  std::vector<std::uint32_t> found;
+  world.grid().findNear(centre, AREA_RADIUS, found);
+  std::size_t others = 0;
+  for (const std::uint32_t disc : found) {
+    const std::uint32_t body = world.grid().body(disc);
+    const bool is_mate = body < world.agents().size() && world.agents().nth(body).group == walkers[0].agent->group;
+    others += is_mate ? 0 : 1;
+  }
+  return static_cast<double>(others) / (PI * AREA_RADIUS * AREA_RADIUS);
+}
+
+/// How many walk abreast.
+std::size_t GroupWalking::columnsFor(const std::vector<Walker>& walkers, double spacing, const Vector2& forward,
+                                     double density, const FloorRuler* floor) const {
+  std::size_t columns = std::min(walkers.size(), MOST_ABREAST);
+  if (walkers.size() > MOST_ABREAST) columns = MOST_ABREAST - 1;
+  if (density > PAIR_DENSITY) columns = std::min<std::size_t>(columns, 2);
+  if (density > FILE_DENSITY) columns = 1;
+  if (floor == nullptr) return columns;
+  const double most = static_cast<double>(columns) * spacing;
+  for (const Walker& walker : walkers) {
+    const Vector2 place = walker.agent->pose.position + 1.0 * forward;
+    const double width = floor->widthAt(place, forward, walker.agent->radius, most).total();
+    columns = std::min(columns, 1 + static_cast<std::size_t>(width / spacing));
+  }
+  return columns;
+}
+
+/// Gives each walker a place: rows from front to back in the order in which they are, and in each row from right to
+/// left in the order in which they are, so that nobody crosses the way of a mate.
+void GroupWalking::arrange(std::vector<Walker>& walkers, std::size_t columns, double spacing, double bend) {
+  const auto lead = [](const Walker& walker) { return walker.ahead - ROW_HOLD * static_cast<double>(walker.row); };
+  std::stable_sort(walkers.begin(), walkers.end(), [&](const auto& a, const auto& b) { return lead(a) > lead(b); });
+  Vector2 mean = Vector2::Zero();
+  for (std::size_t first = 0, row = 0; first < walkers.size(); first += columns, ++row) {
+    const auto begin = walkers.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = walkers.begin() + static_cast<std::ptrdiff_t>(std::min(walkers.size(), first + columns));
+    std::stable_sort(begin, end, [](const auto& a, const auto& b) { return a.left < b.left; });
+    const double middle = 0.5 * static_cast<double>(end - begin - 1);
+    for (auto walker = begin; walker != end; ++walker) {
+      const double column = static_cast<double>(walker - begin) - middle;
+      walker->row = row;
+      walker->place = {spacing * std::sin(bend) * std::abs(column) - ROW_DISTANCE * static_cast<double>(row),
+                       spacing * std::cos(bend) * column};
+      mean += walker->place / static_cast<double>(walkers.size());
+    }
+  }
+  for (Walker& walker : walkers) walker.place -= mean;
+}
+
+/// Sets paces and shifts.
+void GroupWalking::assign(const std::vector<Walker>& walkers, World& world, const FloorRuler* floor) {
+  double speed = speedAlone(*walkers[0].agent);
+  for (const Walker& walker : walkers) speed = std::min(speed, speedAlone(*walker.agent));
+  speed = std::max(0.5 * speed, speed - SIZE_SLOWDOWN * static_cast<double>(walkers.size() - 1));
+  for (const Walker& walker : walkers) {
+    const bool is_wide = floor == nullptr || floor->hasClearance(walker.agent->pose.position, WIDE_CLEARANCE);
+    const double least = (is_wide ? LEAST_PACE : LEAST_NARROW_PACE) * speed;
+    const double own_speed = speedAlone(*walker.agent);
+    const double wanted = speed + CATCH_UP * (walker.place.x() - walker.ahead);
+    world.walkingAgent(walker.agent->id).setPace(Pace::GROUP, std::min(MOST_PACE, std::max(least, wanted) / own_speed));
+    Member& member = members_[walker.agent->id];
+    member.row = walker.row;
+    member.shift = std::clamp(walker.place.y() - walker.left, -LONGEST_SHIFT, LONGEST_SHIFT);
+    member.aim.reset();
+  }
+}
+
+std::optional<Vector2> GroupWalking::aimOf(const Agent& agent, const Vector2& next) {
+  if (agent.group == NO_GROUP) return std::nullopt;
+  Member* const member = members_.find(agent.id);
+  if (member == nullptr || std::abs(member->shift) < LEAST_SHIFT) return std::nullopt;
+  if (member->aim && member->next == next) return member->aim;
+  const Vector2 offset = next - agent.pose.position;
+  const double distance = offset.norm();
+  if (distance < 0.5 * LOOKAHEAD) return std::nullopt;
+  const double reach = std::min(distance, LOOKAHEAD);
+  const Vector2 forward = offset / distance;
+  member->next = next;
+  member->aim = agent.pose.position + reach * forward + reach / LOOKAHEAD * member->shift * leftOf(forward);
+  return member->aim;
+}
+
+}  // namespace crowd

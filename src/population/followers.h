@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "population/place_picker.h"
+#include "population/route_observer.h"
+#include "world/world.h"
+
+namespace crowd {
+
+/// @brief The agents that follow a leader (AgentStart::leader): each gets a goal beside that of its leader, or, behind
+/// a robot, a place behind it. When the leader has arrived they go on to their last goals, and leave the world there.
+///
+/// Call contract: as for Population, which owns it. Deterministic; depends only on the world. Not thread-safe.
+class Followers {
+ public:
+  /// @param places must outlive the object
+  explicit Followers(const PlacePicker& places) : places_(&places) {}
+
+  bool empty() const { return followers_.empty(); }
+  /// @brief The goal of a follower beside that of its leader, alternately to the left and to the right; that of the
+  /// leader if there is no room.
+  /// @param goal of the leader [m] @param from its place [m] @param number of the follower, from 0 @param radius [m]
+  Vector2 goalBeside(const Vector2& goal, const Vector2& from, std::size_t number, double radius,
+                     const World& world) const;
+  /// @brief The same behind a robot.
+  Vector2 goalBehind(RobotId robot, std::size_t number, double radius, const World& world) const;
+  /// @brief Number of followers of a leader.
+  std::size_t countOf(const Leader& leader) const;
+  /// @param is_endless its leader never arrives
+  void add(AgentId id, const Leader& leader, bool is_endless, const World& world, RouteObserver& observer);
+  /// @brief Sets the goals that have changed.
+  void update(World& world, RouteObserver& observer);
+  /// @brief The agent follows nobody any more, because a user gave it a goal.
+  void drop(AgentId id, World& world, RouteObserver& observer);
+
+ private:
+  struct Follower {
+    AgentId id = 0;
+    Leader leader;
+    std::size_t number = 0;  // among the followers of this leader
+    Vector2 leader_goal = Vector2::Zero();
+  };
+
+  void setGoal(const Vector2& goal, AgentId id, World& world, RouteObserver& observer) const;
+  void followAgent(Follower& follower, World& world, RouteObserver& observer) const;
+  void followRobot(const Follower& follower, World& world, RouteObserver& observer) const;
+  static bool hasLeft(const Leader& leader, const World& world);
+  static void release(const Follower& follower, World& world, RouteObserver& observer);
+
+  const PlacePicker* places_;
+  std::vector<Follower> followers_;
+};
+
+}  // namespace crowd
