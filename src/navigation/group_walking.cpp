@@ -13,6 +13,7 @@ constexpr double BENT_DENSITY = 0.25;      // at which a V is bent fully [1/m2]
 constexpr double FULL_BEND = 0.6;          // its angle [rad]
 constexpr double PAIR_DENSITY = 0.6;       // from which at most two walk abreast [1/m2]
 constexpr double FILE_DENSITY = 1.2;       // from which they walk in file [1/m2]
+constexpr double ONCOMING_SPEED = 0.3;     // [m/s]
 constexpr double ROW_HOLD = 0.4;           // lead by which a member leaves its row for the one ahead [m]
 constexpr double CATCH_UP = 0.6;           // speed gained for each metre behind its place [1/s]
 constexpr double LEAST_PACE = 0.2;         // of the speed of the group
@@ -67,9 +68,9 @@ void GroupWalking::decide(const Group& group, World& world, const Paths& paths, 
   double radius = 0.0;
   for (const Walker& walker : walkers) radius = std::max(radius, walker.agent->radius);
   const double spacing = std::max(SPACING, 2.0 * radius + BODY_GAP);
-  const double density = densityAhead(walkers, forward, world);
-  const std::size_t columns = columnsFor(walkers, spacing, forward, density, floor);
-  arrange(walkers, columns, spacing, FULL_BEND * std::min(1.0, density / BENT_DENSITY));
+  const Traffic traffic = trafficAhead(walkers, forward, world);
+  const std::size_t columns = columnsFor(walkers, spacing, forward, traffic, floor);
+  arrange(walkers, columns, spacing, FULL_BEND * std::min(1.0, traffic.density / BENT_DENSITY));
   assign(walkers, world, floor);
 }
 
@@ -104,33 +105,41 @@ std::vector<GroupWalking::Walker> GroupWalking::walkersOf(const Group& group, co
   return walkers;
 }
 
-/// Others on their way in a disc ahead of the group [1/m2].
-double GroupWalking::densityAhead(const std::vector<Walker>& walkers, const Vector2& forward, const World& world) {
+/// In a disc ahead of the group.
+GroupWalking::Traffic GroupWalking::trafficAhead(const std::vector<Walker>& walkers, const Vector2& forward,
+                                                 const World& world) {
   Vector2 centre = AREA_RADIUS * forward;
   for (const Walker& walker : walkers) centre += walker.agent->pose.position / static_cast<double>(walkers.size());
   std::vector<std::uint32_t> found;
-  world.grid().findNear(centre, AREA_RADIUS, found);
+  const NeighbourGrid& grid = world.grid();
+  grid.findNear(centre, AREA_RADIUS, found);
+  Traffic traffic;
   std::size_t others = 0;
   for (const std::uint32_t disc : found) {
-    const std::uint32_t body = world.grid().body(disc);
+    const std::uint32_t body = grid.body(disc);
     const bool is_mate = body < world.agents().size() && world.agents().nth(body).group == walkers[0].agent->group;
-    others += is_mate ? 0 : 1;
+    if (is_mate) continue;
+    ++others;
+    traffic.is_oncoming = traffic.is_oncoming || grid.velocity(disc).dot(forward) < -ONCOMING_SPEED;
   }
-  return static_cast<double>(others) / (PI * AREA_RADIUS * AREA_RADIUS);
+  traffic.density = static_cast<double>(others) / (PI * AREA_RADIUS * AREA_RADIUS);
+  return traffic;
 }
 
-/// How many walk abreast.
+/// How many walk abreast. Those who come towards the group get one half of the floor.
 std::size_t GroupWalking::columnsFor(const std::vector<Walker>& walkers, double spacing, const Vector2& forward,
-                                     double density, const FloorRuler* floor) const {
+                                     const Traffic& traffic, const FloorRuler* floor) const {
   std::size_t columns = std::min(walkers.size(), MOST_ABREAST);
   if (walkers.size() > MOST_ABREAST) columns = MOST_ABREAST - 1;
-  if (density > PAIR_DENSITY) columns = std::min<std::size_t>(columns, 2);
-  if (density > FILE_DENSITY) columns = 1;
+  if (traffic.density > PAIR_DENSITY) columns = std::min<std::size_t>(columns, 2);
+  if (traffic.density > FILE_DENSITY) columns = 1;
   if (floor == nullptr) return columns;
-  const double most = static_cast<double>(columns) * spacing;
+  const double most = 2.0 * static_cast<double>(columns) * spacing;
   for (const Walker& walker : walkers) {
-    const Vector2 place = walker.agent->pose.position + 1.0 * forward;
-    const double width = floor->widthAt(place, forward, walker.agent->radius, most).total();
+    const double radius = walker.agent->radius;
+    const Vector2 place = walker.agent->pose.position + forward;
+    double width = floor->widthAt(place, forward, radius, most).total();
+    if (traffic.is_oncoming) width = std::max(0.0, 0.5 * width - radius);
     columns = std::min(columns, 1 + static_cast<std::size_t>(width / spacing));
   }
   return columns;

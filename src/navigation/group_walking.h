@@ -23,7 +23,7 @@ namespace crowd {
 class GroupWalking {
  public:
   static constexpr double DECISION_TIME = 0.4;    ///< between two decisions of a group [s]
-  static constexpr double SPACING = 0.8;          ///< between the centres of neighbours [m]
+  static constexpr double SPACING = 0.95;         ///< between the centres of neighbours [m]
   static constexpr double SIZE_SLOWDOWN = 0.06;   ///< of the speed, for each mate [m/s]
   static constexpr std::size_t MOST_ABREAST = 4;  ///< a larger group walks in several rows
 
@@ -62,9 +62,14 @@ class GroupWalking {
   void collect(const World& world);
   void decide(const Group& group, World& world, const Paths& paths, const FloorRuler* floor);
   std::vector<Walker> walkersOf(const Group& group, const World& world, const Paths& paths, Vector2& forward) const;
-  std::size_t columnsFor(const std::vector<Walker>& walkers, double spacing, const Vector2& forward, double density,
-                         const FloorRuler* floor) const;
-  static double densityAhead(const std::vector<Walker>& walkers, const Vector2& forward, const World& world);
+  /// Who is ahead of a group.
+  struct Traffic {
+    double density = 0.0;      // [1/m2]
+    bool is_oncoming = false;  // somebody comes towards the group
+  };
+  static Traffic trafficAhead(const std::vector<Walker>& walkers, const Vector2& forward, const World& world);
+  std::size_t columnsFor(const std::vector<Walker>& walkers, double spacing, const Vector2& forward,
+                         const Traffic& traffic, const FloorRuler* floor) const;
   static void arrange(std::vector<Walker>& walkers, std::size_t columns, double spacing, double bend);
   void assign(const std::vector<Walker>& walkers, World& world, const FloorRuler* floor);
 

@@ -74,25 +74,22 @@ void Followers::release(const Follower& follower, World& world, RouteObserver& o
   observer.setEndless(follower.id, false);
 }
 
-void Followers::setGoal(const Vector2& goal, AgentId id, World& world, RouteObserver& observer) const {
-  Agent& agent = world.walkingAgent(id);
-  agent.setGoal(goal);
-  observer.extendWay(agent);
-}
-
 void Followers::followAgent(Follower& follower, World& world, RouteObserver& observer) const {
   const Agent& leader = world.agents()[follower.leader.number];
   if (leader.goal() == follower.leader_goal) return;
   follower.leader_goal = leader.goal();
   const double radius = world.agents()[follower.id].radius;
   const Vector2 goal = goalBeside(leader.goal(), leader.pose.position, follower.number, radius, world);
-  setGoal(goal, follower.id, world, observer);
+  world.walkingAgent(follower.id).setGoal(goal);
+  observer.extendWay(world.agents()[follower.id]);
 }
 
 void Followers::followRobot(const Follower& follower, World& world, RouteObserver& observer) const {
   const Agent& agent = world.agents()[follower.id];
   const Vector2 goal = goalBehind(follower.leader.number, follower.number, agent.radius, world);
-  if ((goal - agent.goal()).norm() >= ROBOT_DISTANCE) setGoal(goal, follower.id, world, observer);
+  if ((goal - agent.goal()).norm() < ROBOT_DISTANCE) return;
+  world.walkingAgent(follower.id).setGoal(goal);
+  observer.recordGoal(world.agents()[follower.id], goal);
 }
 
 void Followers::drop(AgentId id, World& world, RouteObserver& observer) {

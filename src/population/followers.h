@@ -42,7 +42,6 @@ class Followers {
     Vector2 leader_goal = Vector2::Zero();
   };
 
-  void setGoal(const Vector2& goal, AgentId id, World& world, RouteObserver& observer) const;
   void followAgent(Follower& follower, World& world, RouteObserver& observer) const;
   void followRobot(const Follower& follower, World& world, RouteObserver& observer) const;
   static bool hasLeft(const Leader& leader, const World& world);
