@@ -6,22 +6,21 @@
 namespace crowd {
 namespace {
 
-constexpr double BODY_GAP = 0.3;           // least gap between mates side by side [m]
-constexpr double ROW_DISTANCE = 1.0;       // between rows [m]
-constexpr double AREA_RADIUS = 3.0;        // of the disc ahead in which the density is measured [m]
-constexpr double BENT_DENSITY = 0.25;      // at which a V is bent fully [1/m2]
-constexpr double FULL_BEND = 0.6;          // its angle [rad]
-constexpr double PAIR_DENSITY = 0.6;       // from which at most two walk abreast [1/m2]
-constexpr double FILE_DENSITY = 1.2;       // from which they walk in file [1/m2]
-constexpr double ONCOMING_SPEED = 0.3;     // [m/s]
-constexpr double ROW_HOLD = 0.4;           // lead by which a member leaves its row for the one ahead [m]
-constexpr double CATCH_UP = 0.6;           // speed gained for each metre behind its place [1/s]
-constexpr double LEAST_PACE = 0.2;         // of the speed of the group
-constexpr double LEAST_NARROW_PACE = 0.7;  // the same in narrow places, which others want to pass
-constexpr double MOST_PACE = 1.15;         // of the agent's own speed
-constexpr double WIDE_CLEARANCE = 0.9;     // of places that are not narrow [m]
-constexpr double LONGEST_SHIFT = 1.0;      // [m]
-constexpr double LEAST_SHIFT = 0.05;       // [m]
+constexpr double BODY_GAP = 0.3;        // least gap between mates side by side [m]
+constexpr double ROW_DISTANCE = 1.0;    // between rows [m]
+constexpr double AREA_RADIUS = 3.0;     // of the disc ahead in which the density is measured [m]
+constexpr double BENT_DENSITY = 0.25;   // at which a V is bent fully [1/m2]
+constexpr double FULL_BEND = 0.6;       // its angle [rad]
+constexpr double PAIR_DENSITY = 0.4;    // from which at most two walk abreast [1/m2]
+constexpr double ALONE_DENSITY = 0.6;   // from which each walks its own way at its own speed [1/m2]
+constexpr double ONCOMING_SPEED = 0.3;  // [m/s]
+constexpr double ROW_HOLD = 0.4;        // lead by which a member leaves its row for the one ahead [m]
+constexpr double CATCH_UP = 0.6;        // speed gained for each metre behind its place [1/s]
+constexpr double LEAST_PACE = 0.2;      // of the speed of the group, of those who wait where others can pass
+constexpr double MOST_PACE = 1.15;      // of the agent's own speed
+constexpr double WIDE_CLEARANCE = 0.9;  // of places that are not narrow [m]
+constexpr double LONGEST_SHIFT = 1.0;   // [m]
+constexpr double LEAST_SHIFT = 0.05;    // [m]
 
 /// The speed that an agent would have without its mates [m/s].
 double speedAlone(const Agent& agent) { return agent.wanted_speed / agent.paceOf(Pace::GROUP); }
@@ -58,7 +57,8 @@ void GroupWalking::collect(const World& world) {
 void GroupWalking::decide(const Group& group, World& world, const Paths& paths, const FloorRuler* floor) {
   Vector2 forward = Vector2::Zero();
   std::vector<Walker> walkers = walkersOf(group, world, paths, forward);
-  if (walkers.size() < 2 || forward == Vector2::Zero()) {
+  const Traffic traffic = trafficAhead(walkers, forward, world);
+  if (walkers.size() < 2 || forward == Vector2::Zero() || traffic.density > ALONE_DENSITY) {
     for (const Walker& walker : walkers) {
       world.walkingAgent(walker.agent->id).setPace(Pace::GROUP, 1.0);
       members_[walker.agent->id] = Member();
@@ -68,33 +68,42 @@ void GroupWalking::decide(const Group& group, World& world, const Paths& paths, 
   double radius = 0.0;
   for (const Walker& walker : walkers) radius = std::max(radius, walker.agent->radius);
   const double spacing = std::max(SPACING, 2.0 * radius + BODY_GAP);
-  const Traffic traffic = trafficAhead(walkers, forward, world);
   const std::size_t columns = columnsFor(walkers, spacing, forward, traffic, floor);
   arrange(walkers, columns, spacing, FULL_BEND * std::min(1.0, traffic.density / BENT_DENSITY));
   assign(walkers, world, floor);
 }
 
-/// The members, with their positions relative to the mean: along the way by the remaining length of their ways, so that
-/// they are compared round corners, too. @param forward is set to the direction of the group, zero if it has none
+/// The number of goals that an agent has not reached.
+std::size_t goalsLeft(const Agent& agent) { return agent.goals.size() - agent.next_goal; }
+
+/// The members, with their positions relative to the mean: along the way by the remaining length of their ways to the
+/// next goal of the group, so that they are compared round corners, too.
+/// @param forward is set to the direction of the group, zero if it has none
 std::vector<GroupWalking::Walker> GroupWalking::walkersOf(const Group& group, const World& world, const Paths& paths,
                                                           Vector2& forward) const {
+  std::size_t goals_left = 0;
+  for (const AgentId id : group.members) goals_left = std::max(goals_left, goalsLeft(world.agents()[id]));
   std::vector<Walker> walkers;
   Vector2 centre = Vector2::Zero();
   double remaining = 0.0;
   for (const AgentId id : group.members) {
     Walker& walker = walkers.emplace_back();
     walker.agent = &world.agents()[id];
-    const Vector2& place = walker.agent->pose.position;
+    const Agent& agent = *walker.agent;
+    const Vector2& place = agent.pose.position;
     const RemainingPath* const path = paths.find(id);
-    const RemainingPath straight = {walker.agent->goal()};
-    const bool has_path = path != nullptr && !path->empty() && path->back() == walker.agent->goal();
+    const RemainingPath straight = {agent.goal()};
+    const bool has_path = path != nullptr && !path->empty() && path->back() == agent.goal();
     const RemainingPath& way = has_path ? *path : straight;
-    walker.ahead = -lengthOf({way.data(), way.size()}, place);
+    const bool has_passed = goalsLeft(agent) < goals_left && agent.goals.size() >= goals_left;
+    const double length = has_passed ? -(agent.goals[agent.goals.size() - goals_left] - place).norm()
+                                     : lengthOf({way.data(), way.size()}, place);
+    walker.ahead = -length;
     walker.row = members_[id].row;
     const Vector2 offset = pointAlong({way.data(), way.size()}, place, LOOKAHEAD) - place;
     if (offset != Vector2::Zero()) forward += offset.normalized();
     centre += place;
-    remaining -= walker.ahead;
+    remaining += length;
   }
   const auto count = static_cast<double>(walkers.size());
   if (forward.norm() > 1e-9) forward.normalize();
@@ -132,7 +141,6 @@ std::size_t GroupWalking::columnsFor(const std::vector<Walker>& walkers, double 
   std::size_t columns = std::min(walkers.size(), MOST_ABREAST);
   if (walkers.size() > MOST_ABREAST) columns = MOST_ABREAST - 1;
   if (traffic.density > PAIR_DENSITY) columns = std::min<std::size_t>(columns, 2);
-  if (traffic.density > FILE_DENSITY) columns = 1;
   if (floor == nullptr) return columns;
   const double most = 2.0 * static_cast<double>(columns) * spacing;
   for (const Walker& walker : walkers) {
@@ -174,7 +182,7 @@ void GroupWalking::assign(const std::vector<Walker>& walkers, World& world, cons
   speed = std::max(0.5 * speed, speed - SIZE_SLOWDOWN * static_cast<double>(walkers.size() - 1));
   for (const Walker& walker : walkers) {
     const bool is_wide = floor == nullptr || floor->hasClearance(walker.agent->pose.position, WIDE_CLEARANCE);
-    const double least = (is_wide ? LEAST_PACE : LEAST_NARROW_PACE) * speed;
+    const double least = (is_wide ? LEAST_PACE : 1.0) * speed;
     const double own_speed = speedAlone(*walker.agent);
     const double wanted = speed + CATCH_UP * (walker.place.x() - walker.ahead);
     world.walkingAgent(walker.agent->id).setPace(Pace::GROUP, std::min(MOST_PACE, std::max(least, wanted) / own_speed));

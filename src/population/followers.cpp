@@ -1,11 +1,15 @@
 #include "population/followers.h"
 
 #include <algorithm>
+#include <array>
 
 namespace crowd {
 namespace {
 
-constexpr double GOAL_GAP = 0.25;       // between the bodies of a leader and of followers at their goals [m]
+constexpr double GOAL_GAP = 0.25;  // between the bodies of a leader and of followers at their goals [m]
+// Of followers around the goal of their leader, from the direction in which it comes: first beside it [pi].
+constexpr std::array<double, 7> PLACES = {0.5, -0.5, 0.75, -0.75, 1.0, 0.25, -0.25};
+constexpr int RINGS = 3;
 constexpr double ROBOT_GAP = 0.8;       // between a robot and those who follow it [m]
 constexpr double ROBOT_DISTANCE = 0.3;  // by which the place behind it has moved before they get a new goal [m]
 
@@ -13,17 +17,27 @@ constexpr double ROBOT_DISTANCE = 0.3;  // by which the place behind it has move
 
 Vector2 Followers::goalBeside(const Vector2& goal, const Vector2& from, std::size_t number, double radius,
                               const World& world) const {
-  const Vector2 offset = goal - from;
-  const Vector2 forward = offset.norm() > 1e-9 ? Vector2(offset.normalized()) : Vector2(Vector2::UnitX());
-  const Vector2 left(-forward.y(), forward.x());
+  const double bearing = goal == from ? 0.0 : bearingOf(goal - from);
   const double step = 2.0 * radius + GOAL_GAP;
-  const double distance = step * static_cast<double>(number / 2 + 1);
-  const double side = number % 2 == 0 ? 1.0 : -1.0;
-  for (const double sign : {side, -side}) {
-    const Vector2 place = goal + sign * distance * left;
-    if (places_->fits(place, radius, world) && world.walls().index().isClear(goal, place, 0.0)) return place;
+  for (int ring = 1; ring <= RINGS; ++ring) {
+    for (const double angle : PLACES) {
+      const Vector2 place = goal + ring * step * unitVector(bearing + angle * PI);
+      const bool fits = places_->fits(place, radius, world) && world.walls().index().isClear(goal, place, 0.0);
+      if (fits && number-- == 0) return place;
+    }
   }
   return goal;
+}
+
+std::vector<Vector2> Followers::goalsBeside(const std::vector<Vector2>& goals, Vector2 from, std::size_t number,
+                                            double radius, const World& world) const {
+  std::vector<Vector2> places;
+  places.reserve(goals.size());
+  for (const Vector2& goal : goals) {
+    places.push_back(goalBeside(goal, from, number, radius, world));
+    from = goal;
+  }
+  return places;
 }
 
 Vector2 Followers::goalBehind(RobotId robot, std::size_t number, double radius, const World& world) const {
@@ -44,7 +58,7 @@ void Followers::add(AgentId id, const Leader& leader, bool is_endless, const Wor
   follower.id = id;
   follower.leader = leader;
   follower.number = countOf(leader);
-  if (leader.kind == Leader::Kind::AGENT) follower.leader_goal = world.agents()[leader.number].goal();
+  if (leader.kind == Leader::Kind::AGENT) follower.leader_goals = world.agents()[leader.number].goals;
   followers_.push_back(follower);
   observer.setEndless(id, is_endless);
 }
@@ -76,12 +90,14 @@ void Followers::release(const Follower& follower, World& world, RouteObserver& o
 
 void Followers::followAgent(Follower& follower, World& world, RouteObserver& observer) const {
   const Agent& leader = world.agents()[follower.leader.number];
-  if (leader.goal() == follower.leader_goal) return;
-  follower.leader_goal = leader.goal();
-  const double radius = world.agents()[follower.id].radius;
-  const Vector2 goal = goalBeside(leader.goal(), leader.pose.position, follower.number, radius, world);
-  world.walkingAgent(follower.id).setGoal(goal);
-  observer.extendWay(world.agents()[follower.id]);
+  Agent& agent = world.walkingAgent(follower.id);
+  agent.leaves = leader.leaves;
+  if (leader.goals == follower.leader_goals) return;
+  follower.leader_goals = leader.goals;
+  const std::vector<Vector2> next(leader.goals.begin() + static_cast<std::ptrdiff_t>(leader.next_goal),
+                                  leader.goals.end());
+  agent.setGoals(goalsBeside(next, leader.pose.position, follower.number, agent.radius, world));
+  observer.extendWay(agent);
 }
 
 void Followers::followRobot(const Follower& follower, World& world, RouteObserver& observer) const {

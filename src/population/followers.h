@@ -18,12 +18,12 @@ class Followers {
   explicit Followers(const PlacePicker& places) : places_(&places) {}
 
   bool empty() const { return followers_.empty(); }
-  /// @brief The goal of a follower beside that of its leader, alternately to the left and to the right; that of the
-  /// leader if there is no room.
-  /// @param goal of the leader [m] @param from its place [m] @param number of the follower, from 0 @param radius [m]
-  Vector2 goalBeside(const Vector2& goal, const Vector2& from, std::size_t number, double radius,
-                     const World& world) const;
-  /// @brief The same behind a robot.
+  /// @brief The goals of a follower: free places around those of its leader, the first ones to the left and to the
+  /// right of it; those of the leader where there is no room.
+  /// @param goals of the leader [m] @param from its place [m] @param number of the follower, from 0 @param radius [m]
+  std::vector<Vector2> goalsBeside(const std::vector<Vector2>& goals, Vector2 from, std::size_t number, double radius,
+                                   const World& world) const;
+  /// @brief The same for a place behind a robot.
   Vector2 goalBehind(RobotId robot, std::size_t number, double radius, const World& world) const;
   /// @brief Number of followers of a leader.
   std::size_t countOf(const Leader& leader) const;
@@ -39,13 +39,16 @@ class Followers {
     AgentId id = 0;
     Leader leader;
     std::size_t number = 0;  // among the followers of this leader
-    Vector2 leader_goal = Vector2::Zero();
+    std::vector<Vector2> leader_goals;
   };
 
   void followAgent(Follower& follower, World& world, RouteObserver& observer) const;
   void followRobot(const Follower& follower, World& world, RouteObserver& observer) const;
   static bool hasLeft(const Leader& leader, const World& world);
   static void release(const Follower& follower, World& world, RouteObserver& observer);
+
+  Vector2 goalBeside(const Vector2& goal, const Vector2& from, std::size_t number, double radius,
+                     const World& world) const;
 
   const PlacePicker* places_;
   std::vector<Follower> followers_;

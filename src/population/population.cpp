@@ -73,7 +73,7 @@ void Population::chooseGoalsOfFollowers(Scene& scene, const World& world) const 
       start.goals = {followers_.goalBehind(start.leader->number, number, start.radius, world)};
     } else {
       const AgentStart& leader = scene.agents[start.leader->number];
-      start.goals = {followers_.goalBeside(leader.goals.front(), leader.position, number, start.radius, world)};
+      start.goals = followers_.goalsBeside(leader.goals, leader.position, number, start.radius, world);
     }
   }
 }
@@ -214,7 +214,7 @@ void Population::completeStart(AgentId id, AgentStart& start, const World& world
   if (start.leader) {
     const Agent& leader = world.agents()[start.leader->number];
     const std::size_t number = followers_.countOf(*start.leader);
-    start.goals = {followers_.goalBeside(leader.goal(), leader.pose.position, number, start.radius, world)};
+    start.goals = followers_.goalsBeside(leader.goals, leader.pose.position, number, start.radius, world);
   }
   start.heading = bearingOf(start.goals.front() - start.position);
   start.velocity = entryVelocity(start, world);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "geometry/geometry.h"
@@ -93,10 +94,12 @@ struct Agent {
   const Vector2& perceivedGoal() const { return has_waypoint ? waypoint : present_goal; }
 
   /// @brief Replaces all goals by one [m], `map`.
-  void setGoal(const Vector2& goal) {
-    goals = {goal};
+  void setGoal(const Vector2& goal) { setGoals({goal}); }
+  /// @brief Replaces all goals by others, at least one [m], `map`.
+  void setGoals(std::vector<Vector2> others) {
+    goals = std::move(others);
     next_goal = 0;
-    present_goal = goal;
+    present_goal = goals.front();
     has_waypoint = false;
     at_goal = false;
     ++goal_number;
