@@ -15,7 +15,7 @@ TICK = 0.1  # [s]
 # Title of the picture and its moment [s], by the name of the place, in the order of the page.
 PLACES = {'office': ('An office floor', 60), 'station': ('A station hall', 34), 'supermarket': ('A supermarket', 120),
           'bottleneck': ('A bottleneck', 14), 'two_way_door': ('A two-way door', 7), 'corner': ('A corner', 6),
-          't_junction': ('A T-junction', 9)}
+          't_junction': ('A T-junction', 9), 'museum': ('A museum', 45)}
 HEADER = ['scenario', 'people in an episode', 'arrive', 'in contact', 'stopped', 'time of a person [s]']
 EXAMPLE = '''example:
   research/walk_places --episodes 10'''

@@ -217,7 +217,8 @@ class Scene:
         return count
 
     def agent(self, entry, where):
-        goal = {} if 'route' in entry else entry['goals'] if 'goals' in entry else entry['goal']
+        has_none = 'route' in entry or 'leader' in entry
+        goal = {} if has_none else entry['goals'] if 'goals' in entry else entry['goal']
         mirror = goal.get('opposite') if isinstance(goal, dict) else None
         return {
             'radius': self.radius(entry, where),
