@@ -10,7 +10,7 @@ namespace {
 
 constexpr double SWAY_TIME = 0.8;    // between two random values [s]
 constexpr double WANDER_TIME = 4.0;  // [s]
-constexpr double PACE_TIME = 1.0;    // [s]
+constexpr double PACE_TIME = 0.6;    // [s]
 constexpr double LEAST = 0.3;        // of the deviations of an agent, as a factor
 constexpr double MOST = 1.7;
 
