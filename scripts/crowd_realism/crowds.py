@@ -11,6 +11,7 @@ PATIENCE = 60.0  # [s] after the last recorded person has left
 TOLERANCE = 0.05  # [m] of goals of predictions
 BATCH = 50  # documents in a file
 SLOWEST = 0.01  # [m/s] of an agent, which must have a speed
+WALKING = 0.99  # of its speed, at most, is its velocity at the start, however both are rounded
 
 
 def walk_all(walkers, evaluate, table, radius, folder):
@@ -34,10 +35,10 @@ def point(place):
 
 
 class Crowd:
-    """Predicts with the agents of a Q-table. `keys`: of the scenario, such as 'motion: unlimited'."""
+    """Predicts with the agents of a Q-table."""
 
-    def __init__(self, evaluate, table, radius, folder, keys=()):
-        self.evaluate, self.table, self.radius, self.folder, self.keys = evaluate, table, radius, folder, keys
+    def __init__(self, evaluate, table, radius, folder):
+        self.evaluate, self.table, self.radius, self.folder = evaluate, table, radius, folder
 
     def predict(self, tasks):
         """Returns the places after each step, an array (person, PREDICTED, 2) for each Task. Raises RunError."""
@@ -61,12 +62,14 @@ class Crowd:
         return [sample(tracks[number], task, ticks) for number, task in enumerate(tasks)]
 
     def document(self, task):
-        lines = ['name: moment', f'duration: {PREDICTED * STEP:g}', f'goal_tolerance: {TOLERANCE:g}', *self.keys, 'agents:']
-        for place, goal, speed, radius in zip(task.places, task.goals, task.speeds(), task.radii(self.radius)):
+        lines = ['name: moment', f'duration: {PREDICTED * STEP:g}', f'goal_tolerance: {TOLERANCE:g}', 'agents:']
+        for place, velocity, goal, radius in zip(*task, task.radii(self.radius)):
+            speed = numpy.hypot(*velocity)
             if numpy.hypot(*(goal - place)) < 2 * TOLERANCE:
                 goal, speed = place + [1.0, 0.0], 0.0  # is there and stays
+            start = WALKING * velocity if speed > SLOWEST else numpy.zeros(2)
             lines.append(f'  - {{position: {point(place)}, goal: {point(goal)}, speed: {max(speed, SLOWEST):.4f}, '
-                         f'radius: {radius:.4f}}}')
+                         f'velocity: {point(start)}, radius: {radius:.4f}}}')
         return '\n'.join(lines) + '\n'
 
 

@@ -7,7 +7,7 @@ from .measures import FIGURES, distances_of, ks_distance
 
 RECORDED, SIMULATED, STRAIGHT = '0.35', '#d55e00', '#0072b2'
 BINS, OUTLIERS = 24, 1  # [%] of all values beyond each end of a panel
-EXAMPLES, MARGIN = 8, 1.2  # [m]
+EXAMPLES, MARGIN = 7, 1.2  # [m]
 NEAR = 2.0  # [m] from another person at some time
 
 
@@ -50,29 +50,34 @@ def examples_of(moments, predictions):
 
 def draw_examples(file, moments, straight, simulated, title):
     """Draws windows with company: what was observed, what came, and the predictions."""
-    figure, panels = new_figure(2, EXAMPLES // 2, 14, 7.6)
+    figure, panels = new_figure(2, (EXAMPLES + 1) // 2, 14, 7.4)
     for panel in panels.flat:
         panel.set_axis_off()
     for panel, (error, number, person) in zip(panels.flat, examples_of(moments, simulated)):
         panel.set_axis_on()
         moment = moments[number]
+
+        def draw(line, who, way, **options):
+            panel.plot(*numpy.concatenate([moment.seen[who, -1:], way[who]]).T, line, **options)
         for other in numpy.delete(numpy.arange(len(moment.seen)), person):
             panel.plot(*moment.seen[other].T, '-', color='0.8', linewidth=1)
             panel.plot(*moment.future[other].T, '.', color='0.7', markersize=4)
-            panel.plot(*simulated[number][other].T, '-', color=SIMULATED, alpha=0.35, linewidth=1)
+            draw('-', other, simulated[number], color=SIMULATED, alpha=0.35, linewidth=1)
         panel.plot(*moment.seen[person].T, 'k.-', linewidth=1, markersize=5)
-        panel.plot(*straight[number][person].T, '--', color=STRAIGHT, linewidth=1.4)
         panel.plot(*moment.future[person].T, 'o', color=RECORDED, markersize=4)
-        panel.plot(*simulated[number][person].T, '-', color=SIMULATED, linewidth=1.8)
+        draw('-', person, simulated[number], color=SIMULATED, linewidth=1.8)
+        draw('--', person, straight[number], color=STRAIGHT, linewidth=1.4)
         ways = numpy.concatenate([moment.seen[person], moment.future[person], simulated[number][person]])
         middle, half = (ways.min(axis=0) + ways.max(axis=0)) / 2, numpy.ptp(ways, axis=0).max() / 2 + MARGIN
-        panel.set(xlim=middle[0] + [-half, half], ylim=middle[1] + [-half, half], aspect='equal', title=f'error {error:.2f} m')
+        panel.set(xlim=middle[0] + [-half, half], ylim=middle[1] + [-half, half], aspect='equal',
+                  title=f'mean error {error:.2f} m', xlabel='x [m]', ylabel='y [m]')
     handles = [Line2D([], [], color='k', marker='.', label='observed, 3.2 s'),
                Line2D([], [], color=RECORDED, marker='o', linestyle='', markersize=4, label='what came, 4.8 s'),
                Line2D([], [], color=SIMULATED, linewidth=1.8, label='simulated'),
                Line2D([], [], color=STRAIGHT, linestyle='--', label='constant velocity'),
-               Line2D([], [], color='0.7', marker='.', label='others: observed, what came'),
-               Line2D([], [], color=SIMULATED, alpha=0.35, label='others: simulated')]
-    figure.legend(handles=handles, loc='outside lower center', ncols=6)
+               Line2D([], [], color='0.8', label='others, observed'),
+               Line2D([], [], color='0.7', marker='.', linestyle='', label='others, what came'),
+               Line2D([], [], color=SIMULATED, alpha=0.35, label='others, simulated')]
+    panels.flat[-1].legend(handles=handles, loc='center', fontsize=11)
     figure.suptitle(title)
     return save(figure, file)

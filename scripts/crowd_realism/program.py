@@ -13,6 +13,7 @@ from crowd_experiments.arguments import above_zero, add_file, add_tools, parser_
 from crowd_experiments.records import read_table_header
 from crowd_experiments.tools import find_table, find_tools
 from crowd_recordings.formats import read_recording
+from crowd_tables.body import without_gait
 
 from . import peers
 from .crowds import Crowd, walk_all
@@ -69,8 +70,10 @@ def models_of(arguments, evaluate, folder):
     if importlib.util.find_spec('rvo2'):
         models['ORCA'] = lambda tasks: peers.orca(tasks, radius)
     models[table.stem] = Crowd(evaluate, table, radius, folder).predict
-    if 'motion' in read_table_header(table).get('action_set', ''):
-        models[f'{table.stem}, no mass or gait'] = Crowd(evaluate, table, radius, folder, ['motion: unlimited']).predict
+    if 'gait' in read_table_header(table).get('action_set', ''):
+        calm = folder / table.name
+        calm.write_bytes(without_gait(table.read_bytes()))
+        models[f'{table.stem}, no gait'] = Crowd(evaluate, calm, radius, folder).predict
     return models
 
 
