@@ -38,23 +38,16 @@ def find_config():
 
 
 def find_table(name_or_file):
-    """Returns the given Q-table file if it exists, otherwise the package's one of that name. Raises RunError."""
-    given = pathlib.Path(name_or_file)
+    """Returns the given Q-table file, or the package's one of that name if there is no such file."""
     shipped = find_config() / 'q_tables' / f'{name_or_file}.txt'
-    if given.is_file() or not shipped.is_file():
-        return existing_table(given)
-    return shipped
-
-
-def existing_table(file):
-    if not file.is_file():
-        raise RunError(f'{file}: there is no such Q-table')
-    return file.absolute()
+    return shipped if shipped.is_file() and not os.path.exists(name_or_file) else pathlib.Path(name_or_file)
 
 
 def find_evaluation(arguments):
     """Returns the program evaluate and the Q-table that the options --tools and --q-table name."""
-    q_table = existing_table((arguments.q_table or find_config() / 'q_tables' / 'anticipation.txt').absolute())
+    q_table = (arguments.q_table or find_config() / 'q_tables' / 'anticipation.txt').absolute()
+    if not q_table.is_file():
+        raise RunError(f'{q_table}: there is no such Q-table')
     return find_tools(arguments.tools) / 'evaluate', q_table
 
 

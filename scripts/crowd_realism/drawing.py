@@ -22,15 +22,16 @@ def draw_distributions(file, recorded, simulated, floors, title):
                                 (simulated[name], {'color': SIMULATED, 'histtype': 'step', 'linewidth': 1.8})):
             panel.hist(numpy.clip(values, *edges[[0, -1]]), edges, weights=numpy.full(len(values), 100 / len(values)),
                        **options)
-        panel.set(xlabel=label, title=f'distance {ks_distance(recorded[name], simulated[name]):.2f} '
-                                      f'(halves of the recording {floors[name]:.2f})')
+        distance = ks_distance(recorded[name], simulated[name])
+        panel.set(xlabel=label, title=f'distance {distance:.2f} (halves of the recording {floors[name]:.2f})')
         panel.title.set_fontsize(9)
     for panel in panels[:, 0]:
         panel.set_ylabel('share of walkers [%]')
     legend = panels.flat[len(FIGURES)]
     legend.set_axis_off()
-    legend.legend(handles=[Line2D([], [], color=RECORDED, alpha=0.45, linewidth=8, label='recorded'),
-                           Line2D([], [], color=SIMULATED, linewidth=1.8, label='simulated')], loc='center', fontsize=12)
+    handles = [Line2D([], [], color=RECORDED, alpha=0.45, linewidth=8, label='recorded'),
+               Line2D([], [], color=SIMULATED, linewidth=1.8, label='simulated')]
+    legend.legend(handles=handles, loc='center', fontsize=12)
     figure.suptitle(title)
     return save(figure, file)
 

@@ -50,8 +50,8 @@ ESTIMATES = {'last': last_step, 'weighted': weighted_steps}
 
 
 def task_of(moment, estimate, free_speed, knows_goal):
-    """Returns the Task of a Moment, with a share of the estimated speeds. Its goals are the last places in the recording,
-    or far ahead."""
+    """Returns the Task of a Moment, with a share of the estimated speeds. Its goals are the last places in the
+    recording, or far ahead."""
     places, velocities = moment.seen[:, -1], free_speed * ESTIMATES[estimate](moment.seen)
     if knows_goal:
         return Task(places, velocities, moment.ends)

@@ -72,9 +72,9 @@ def distances_of(moment, predicted, person):
 
 
 def errors_of(moments, predictions):
-    """Returns the metrics of TrajNet++ of predictions [m], an array (person, step, 2) for each Moment, over all windows:
-    mean and final displacement error [m]; share of windows whose predicted person touches another predicted one (of
-    those with another one), and another recorded one [%]."""
+    """Returns the metrics of TrajNet++ of predictions [m], an array (person, step, 2) for each Moment, over all windows.
+    They are mean and final displacement error [m]; share of windows whose predicted person touches another predicted
+    one (of those with another one), and another recorded one [%]."""
     distances, touched, touched_true = [], [], []
     for moment, predicted in zip(moments, predictions):
         for person in numpy.flatnonzero(moment.complete()):

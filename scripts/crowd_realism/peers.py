@@ -1,6 +1,7 @@
 """Other walking models, which predict the same Tasks: social force, and ORCA where the Python package rvo2 is."""
 import numpy
 
+from .crowds import SLOWEST
 from .people import PREDICTED, STEP
 
 TICK, TICKS = 0.1, round(STEP / 0.1)  # [s] of both models
@@ -57,7 +58,8 @@ def orca(tasks, radius):
         simulator = rvo2.PyRVOSimulator(TICK, REACH, NEIGHBOURS, HORIZON, HORIZON, radius, 2.0)
         speeds = task.speeds()
         for place, velocity, speed, size in zip(task.places, task.velocities, speeds, task.radii(radius)):
-            simulator.addAgent(tuple(place), REACH, NEIGHBOURS, HORIZON, HORIZON, size, max(speed, 0.01), tuple(velocity))
+            simulator.addAgent(tuple(place), REACH, NEIGHBOURS, HORIZON, HORIZON, size, max(speed, SLOWEST),
+                               tuple(velocity))
         steps = []
         for _ in range(PREDICTED * TICKS):
             places = numpy.array([simulator.getAgentPosition(i) for i in range(len(speeds))])

@@ -44,6 +44,21 @@ def walkers_of(recording):
     return found
 
 
+def noise_of(walkers):
+    """Returns the standard deviation of independent errors in the places of walkers [m], in x and in y: the product of
+    two successive changes of velocity is -4 times its square on average. 0 if they are hidden by the motion."""
+    changes = [numpy.diff(walker.places, n=2, axis=0) for walker in walkers]
+    products = numpy.concatenate([change[1:] * change[:-1] for change in changes])
+    return float(numpy.sqrt(max(0.0, -products.mean() / 4))) if len(products) else 0.0
+
+
+def with_noise(walkers, deviation):
+    """Returns walkers with independent errors in their places, of this standard deviation [m]."""
+    random = numpy.random.default_rng(1)
+    return [walker._replace(places=walker.places + random.normal(0.0, deviation, walker.places.shape))
+            for walker in walkers]
+
+
 class Moment(typing.NamedTuple):
     """All people in view in a frame who were there a step before, too; nan where a person is not in view."""
     seen: numpy.ndarray  # [m] (person, OBSERVED, 2), the last one in this frame
@@ -88,5 +103,6 @@ def moments_of(recording):
         if moment.complete().any():
             found.append(moment)
     if not found:
-        raise InputError(f'the recording has no window: nobody is in view for {OBSERVED + PREDICTED} steps of {STEP:g} s')
+        raise InputError(f'the recording has no window: nobody is in view for {OBSERVED + PREDICTED} samples, one every '
+                         f'{STEP:g} s')
     return found

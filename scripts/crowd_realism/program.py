@@ -20,7 +20,7 @@ from .crowds import Crowd, walk_all
 from .drawing import draw_distributions, draw_examples
 from .forecasts import task_of, walk_straight
 from .measures import FIGURES, errors_of, figures_of, ks_distance
-from .people import moments_of, walkers_of
+from .people import moments_of, noise_of, walkers_of, with_noise
 
 EXAMPLES = '''examples:
   realism obsmat.txt --replace all --plot distributions.png
@@ -28,7 +28,8 @@ EXAMPLES = '''examples:
 
 --replace all: every recorded walker is replaced by an agent with the same entry, exit, time and free speed. Printed are
 the 10th, 50th and 90th percentiles of figures of walkers, the Kolmogorov-Smirnov distance of both distributions (0:
-equal, 1: apart), and that of the two halves of the recording as its floor.
+equal, 1: apart), the same with errors in the simulated places like those in the recorded ones, and the distance of the
+two halves of the recording as its floor.
 --replace one: everybody in view is predicted for 4.8 s from 3.2 s. Printed are the metrics of TrajNet++ of each model:
 mean and final displacement error [m], and collisions with predicted (Col-I) and recorded others (Col-II) [%].'''
 PERCENTILES = (10, 50, 90)
@@ -43,8 +44,11 @@ def replace_all(arguments, recording, evaluate, folder):
     """Returns the table of distributions."""
     walkers = walkers_of(recording)
     say(f'simulating {len(walkers)} walkers')
-    simulated = figures_of(walk_all(walkers, evaluate, arguments.q_table, arguments.radius, folder))
-    recorded, half = figures_of(walkers), len(walkers) // 2
+    agents = walk_all(walkers, evaluate, arguments.q_table, arguments.radius, folder)
+    recorded, simulated, half = figures_of(walkers), figures_of(agents), len(walkers) // 2
+    noise = noise_of(walkers)
+    noisy = figures_of(with_noise(agents, noise))
+    say(f'errors in the recorded places: {noise:.3f} m')
     halves = [figures_of(walkers[:half]), figures_of(walkers[half:])]
     floors = {name: ks_distance(*(figures[name] for figures in halves)) for name in FIGURES}
     rows = []
@@ -53,7 +57,8 @@ def replace_all(arguments, recording, evaluate, folder):
         for whose, values in (('recorded', recorded[name]), ('simulated', simulated[name])):
             shares = numpy.percentile(values, PERCENTILES) if len(values) else [numpy.nan] * len(PERCENTILES)
             row.update({f'{whose} {share} %': value for share, value in zip(PERCENTILES, shares)})
-        rows.append({**row, 'KS': ks_distance(recorded[name], simulated[name]), 'floor': floors[name]})
+        distances = [ks_distance(recorded[name], figures[name]) for figures in (simulated, noisy)]
+        rows.append({**row, 'KS': distances[0], 'KS with noise': distances[1], 'floor': floors[name]})
     if arguments.trajectories:
         with replaced(arguments.trajectories) as part:
             shutil.copyfile(folder / 'replaced.csv', part)
@@ -70,7 +75,7 @@ def models_of(arguments, evaluate, folder):
     if importlib.util.find_spec('rvo2'):
         models['ORCA'] = lambda tasks: peers.orca(tasks, radius)
     models[table.stem] = Crowd(evaluate, table, radius, folder).predict
-    if 'gait' in read_table_header(table).get('action_set', ''):
+    if arguments.has_gait:
         calm = folder / table.name
         calm.write_bytes(without_gait(table.read_bytes()))
         models[f'{table.stem}, no gait'] = Crowd(evaluate, calm, radius, folder).predict
@@ -112,7 +117,7 @@ def main(words=None):
     add('--instance', type=whole, metavar='N', help='episode of a CSV file (default: the first)')
     add('--radius', type=above_zero, default=0.1, metavar='M', help='of agents [m] (default: %(default)g); bodies of '
         'recorded people overlap at 0.25')
-    add('--free-speed', type=above_zero, default=0.97, metavar='SHARE', help='with --replace one: free speed, a share '
+    add('--free-speed', type=above_zero, default=0.98, metavar='SHARE', help='with --replace one: free speed, a share '
         'of the estimated one (default: %(default)g)')
     for name, of in (('--csv', 'the printed table'), ('--json', 'the printed table'), ('--plot', 'a picture'),
                      ('--trajectories', 'the simulated crowd of --replace all, CSV, for film')):
@@ -124,6 +129,7 @@ def main(words=None):
     for file in filter(None, (arguments.csv, arguments.json, arguments.plot, arguments.trajectories)):
         check_output(file)
     arguments.q_table = find_table(arguments.q_table)
+    arguments.has_gait = 'gait' in read_table_header(arguments.q_table).get('action_set', '')
     recording = read_recording(arguments.recording, arguments.instance).at_rate(arguments.frame_rate)
     if recording.frame_duration is None:
         recording = recording.at_rate(1 / DEFAULT_TICK)
