@@ -23,7 +23,7 @@ def draw_distributions(file, recorded, simulated, floors, title):
             panel.hist(numpy.clip(values, *edges[[0, -1]]), edges, weights=numpy.full(len(values), 100 / len(values)),
                        **options)
         distance = ks_distance(recorded[name], simulated[name])
-        panel.set(xlabel=label, title=f'distance {distance:.2f} (halves of the recording {floors[name]:.2f})')
+        panel.set(xlabel=label, title=f'KS distance {distance:.2f} (halves of the recording {floors[name]:.2f})')
         panel.title.set_fontsize(9)
     for panel in panels[:, 0]:
         panel.set_ylabel('share of walkers [%]')

@@ -72,7 +72,7 @@ def distances_of(moment, predicted, person):
 
 
 def errors_of(moments, predictions):
-    """Returns the metrics of TrajNet++ of predictions [m], an array (person, step, 2) for each Moment, over all windows.
+    """Returns the metrics of TrajNet++ of predictions [m], arrays (person, step, 2) by Moment, over all windows.
     They are mean and final displacement error [m]; share of windows whose predicted person touches another predicted
     one (of those with another one), and another recorded one [%]."""
     distances, touched, touched_true = [], [], []

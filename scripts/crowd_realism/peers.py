@@ -1,4 +1,7 @@
-"""Other walking models, which predict the same Tasks: social force, and ORCA where the Python package rvo2 is."""
+"""Other walking models, which predict the same Tasks: social force; ORCA and models of JuPedSim where the packages rvo2
+and jupedsim are installed."""
+import importlib.util
+
 import numpy
 
 from .crowds import SLOWEST
@@ -10,6 +13,7 @@ RELAXATION, STRENGTH, RANGE, STRIDE = 0.5, 2.1, 0.3, 2.0  # [s], [m²/s²], [m],
 SIGHT, BEHIND, FASTEST = numpy.cos(numpy.radians(100)), 0.5, 1.3  # limit of sight, weight beyond it, of the free speed
 NEIGHBOURS, HORIZON = 10, 5.0  # of ORCA: number and distance [m] as in the examples of RVO2, [s]
 REACH = 15.0
+FINE = 0.01  # [s] step of JuPedSim
 
 
 def towards(goals, places):
@@ -32,8 +36,10 @@ def repulsion(places, velocities, directions):
     return (weights[..., None] * forces).sum(axis=1)
 
 
-def social_force(tasks, _radius):
-    """Predicts with the social force model, its published parameters, and observed speeds as free speeds."""
+def social_force(tasks, radius):
+    """Predicts with the social force model, its published parameters, and observed speeds as free speeds. Its people
+    have no radius."""
+    del radius
     found = []
     for task in tasks:
         places, velocities, speeds = task.places.copy(), task.velocities.copy(), task.speeds()[:, None]
@@ -71,3 +77,43 @@ def orca(tasks, radius):
             steps.append([simulator.getAgentPosition(i) for i in range(len(speeds))])
         found.append(numpy.stack(numpy.array(steps)[TICKS - 1::TICKS], axis=1))
     return found
+
+
+def jupedsim_model(name):
+    """Returns a function that predicts with a model of JuPedSim and its default parameters."""
+    import jupedsim  # may be missing
+
+    def predict(tasks, radius):
+        found = []
+        for task in tasks:
+            kind = getattr(jupedsim, name)
+            low, high = (numpy.concatenate([task.places, task.goals]).min() - REACH,
+                         numpy.concatenate([task.places, task.goals]).max() + REACH)
+            simulation = jupedsim.Simulation(model=kind(), dt=FINE, geometry=[(low, low), (high, low), (high, high),
+                                                                              (low, high)])
+            stage = simulation.add_direct_steering_stage()
+            journey = simulation.add_journey(jupedsim.JourneyDescription([stage]))
+            people = []
+            for place, goal, speed, size in zip(task.places, task.goals, task.speeds(), task.radii(radius)):
+                people.append(simulation.add_agent(getattr(jupedsim, f'{name}AgentParameters')(
+                    position=tuple(place), journey_id=journey, stage_id=stage, desired_speed=max(speed, SLOWEST),
+                    radius=size)))
+                simulation.agent(people[-1]).target = tuple(goal)
+            steps = []
+            for _ in range(PREDICTED):
+                simulation.iterate(round(STEP / FINE))
+                steps.append([simulation.agent(person).position for person in people])
+            found.append(numpy.stack(numpy.array(steps), axis=1))
+        return found
+    return predict
+
+
+def installed():
+    """Returns the models that can be run, functions of Tasks and a radius [m], by name."""
+    models = {'social force': social_force}
+    if importlib.util.find_spec('rvo2'):
+        models['ORCA'] = orca
+    if importlib.util.find_spec('jupedsim'):
+        models['collision-free speed'] = jupedsim_model('CollisionFreeSpeedModel')
+        models['anticipation velocity'] = jupedsim_model('AnticipationVelocityModel')
+    return models

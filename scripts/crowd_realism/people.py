@@ -103,6 +103,6 @@ def moments_of(recording):
         if moment.complete().any():
             found.append(moment)
     if not found:
-        raise InputError(f'the recording has no window: nobody is in view for {OBSERVED + PREDICTED} samples, one every '
-                         f'{STEP:g} s')
+        raise InputError(f'the recording has no window: nobody is in view for {OBSERVED + PREDICTED} samples '
+                         f'at steps of {STEP:g} s')
     return found

@@ -1,5 +1,5 @@
 """The program `realism`: replaces recorded people by simulated ones, and compares how both walk."""
-import importlib.util
+import functools
 import pathlib
 import shutil
 import sys
@@ -31,7 +31,9 @@ the 10th, 50th and 90th percentiles of figures of walkers, the Kolmogorov-Smirno
 equal, 1: apart), the same with errors in the simulated places like those in the recorded ones, and the distance of the
 two halves of the recording as its floor.
 --replace one: everybody in view is predicted for 4.8 s from 3.2 s. Printed are the metrics of TrajNet++ of each model:
-mean and final displacement error [m], and collisions with predicted (Col-I) and recorded others (Col-II) [%].'''
+mean and final displacement error [m], and collisions with predicted (Col-I) and recorded others (Col-II) [%].
+`velocity` is that of the last observed step, or a weighted mean of all; `goal` is far ahead, or the true one, which no
+prediction can know. Models of other packages take part if rvo2 and jupedsim are installed for this Python.'''
 PERCENTILES = (10, 50, 90)
 REFERENCE = 'constant velocity'
 
@@ -71,9 +73,9 @@ def replace_all(arguments, recording, evaluate, folder):
 def models_of(arguments, evaluate, folder):
     """Returns functions from Tasks to predictions, by the names of the models."""
     table, radius = arguments.q_table, arguments.radius
-    models = {'straight': walk_straight, 'social force': lambda tasks: peers.social_force(tasks, radius)}
-    if importlib.util.find_spec('rvo2'):
-        models['ORCA'] = lambda tasks: peers.orca(tasks, radius)
+    models = {REFERENCE: walk_straight}
+    for name, model in peers.installed().items():
+        models[name] = functools.partial(model, radius=radius)
     models[table.stem] = Crowd(evaluate, table, radius, folder).predict
     if arguments.has_gait:
         calm = folder / table.name
@@ -84,25 +86,21 @@ def models_of(arguments, evaluate, folder):
 
 def replace_one(arguments, recording, evaluate, folder):
     """Returns the table of predictions."""
-    moments = moments_of(recording)
-    models = models_of(arguments, evaluate, folder)
-    rows, last = [], {}
-    for estimate, share, goal in (('last', 1.0, 'ahead'), ('weighted', arguments.free_speed, 'ahead'),
+    moments, models = moments_of(recording), models_of(arguments, evaluate, folder)
+    rows, shown = [], {}
+    for velocity, share, goal in (('last', 1.0, 'ahead'), ('weighted', arguments.free_speed, 'ahead'),
                                   ('weighted', arguments.free_speed, 'true')):
-        tasks = [task_of(moment, estimate, share, goal == 'true') for moment in moments]
+        tasks = [task_of(moment, velocity, share, goal == 'true') for moment in moments]
         for name, predict in models.items():
-            say(f'{name}, velocity from the {estimate} steps, goal {goal}')
+            say(f'{name}, velocity: {velocity}, goal: {goal}')
             predictions = predict(tasks)
-            is_reference = name == 'straight' and estimate == 'last'
-            rows.append({'model': REFERENCE if is_reference else name, 'velocity': estimate, 'goal': goal,
-                         **errors_of(moments, predictions)})
-            if goal == 'ahead':
-                last[name] = last.get(REFERENCE, predictions) if is_reference else predictions
-            if is_reference:
-                last[REFERENCE] = predictions
+            rows.append({'model': name, 'velocity': velocity, 'goal': goal, **errors_of(moments, predictions)})
+            if (velocity, goal) == (('last' if name == REFERENCE else 'weighted'), 'ahead'):
+                shown[name] = predictions
     if arguments.plot:
-        draw_examples(arguments.plot, moments, last[REFERENCE], last[list(models)[-1]],
-                      f'{rows[0]["windows"]} windows: examples from good to bad, of {list(models)[-1]}')
+        name = list(models)[-1]
+        draw_examples(arguments.plot, moments, shown[REFERENCE], shown[name],
+                      f'{rows[0]["windows"]} windows: examples from good to bad, of {name}')
     return pandas.DataFrame(rows)
 
 

@@ -208,7 +208,7 @@ class ProgramTest:
         assert status == 0, output
         table = pandas.read_csv(runner.path('a.csv')).set_index(['model', 'velocity', 'goal'])
         assert (table['windows'] == 4 * (26 - 19)).all()
-        for key in (('constant velocity', 'last', 'ahead'), ('straight', 'weighted', 'true')):
+        for key in (('constant velocity', 'last', 'ahead'), ('constant velocity', 'weighted', 'true')):
             assert table.loc[key, 'ADE'] == pytest.approx(0, abs=0.003), key
         assert table.loc[('human, no gait', 'last', 'ahead'), 'ADE'] < 0.1
         assert table.loc[('human', 'last', 'ahead'), 'ADE'] < 0.6
