@@ -20,8 +20,8 @@ def draw_distributions(file, recorded, simulated, floors, title):
         edges = numpy.linspace(low, max(high, low + 0.1), BINS)
         for values, options in ((recorded[name], {'color': RECORDED, 'alpha': 0.45}),
                                 (simulated[name], {'color': SIMULATED, 'histtype': 'step', 'linewidth': 1.8})):
-            panel.hist(numpy.clip(values, *edges[[0, -1]]), edges, weights=numpy.full(len(values), 100 / len(values)),
-                       **options)
+            weights = numpy.full(len(values), 100 / max(1, len(values)))
+            panel.hist(numpy.clip(values, *edges[[0, -1]]), edges, weights=weights, **options)
         distance = ks_distance(recorded[name], simulated[name])
         panel.set(xlabel=label, title=f'KS distance {distance:.2f} (halves of the recording {floors[name]:.2f})')
         panel.title.set_fontsize(9)

@@ -201,6 +201,14 @@ class ProgramTest:
         status, output = realism(runner, 'simulated.csv')  # is a recording, too
         assert status == 0, output
 
+    def test_people_without_company(self, runner):
+        """Two walkers who are not there at the same time have no nearest other one."""
+        walks = [f'0,{k + 200 * agent},{agent},{0.12 * k:.2f},0\n' for agent in (0, 1) for k in range(101)]
+        file = runner.write('crowd.csv', CROWD.splitlines()[0] + '\n' + ''.join(walks))
+        status, output = realism(runner, file, '--csv', 'a.csv', '--plot', 'a.png')
+        assert status == 0, output
+        assert numpy.isnan(pandas.read_csv(runner.path('a.csv'), index_col='figure').loc['nearest', 'KS'])
+
     def test_one(self, runner):
         file = runner.write('crowd.csv', CROWD)
         status, output = realism(runner, file, '--replace', 'one', '--free-speed', 1, '--csv', 'a.csv',
