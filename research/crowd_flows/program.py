@@ -1,39 +1,15 @@
 """The command line of research/flows; copies of Q-tables whose agents have other bodies."""
-import re
-
 import pandas
 from crowd_experiments.arguments import add_file, parser_of
+from crowd_tables.body import with_body
 
 from . import door_flow, fundamental_diagram
 
-CHECKSUM = b'checksum: '
-FNV_OFFSET, FNV_PRIME = 0xcbf29ce484222325, 0x100000001b3
 DESCRIPTION = '''Measures speed against density in corridors and the flow through doors, and writes tables
 (CSV) and figures; or copies a Q-table and gives its agents other bodies: mass, gait and a time gap.'''
 EXAMPLES = '''examples:
   research/flows measure human.txt --evaluate .build/devel/lib/social_crowd/evaluate --data DATA --output flows
   research/flows body anticipation.txt my_human.txt 'time_gap: 0.9, motion: {acceleration: 3, braking: 3}' '''
-
-
-def fnv1a(data):
-    value = FNV_OFFSET
-    for byte in data:
-        value = (value ^ byte) * FNV_PRIME & 0xffffffffffffffff
-    return value
-
-
-def with_body(contents, keys):
-    """Returns the contents of a Q-table file with other keys after `lookout` in its action set, such as
-    'time_gap: 0.9, time_gap_width: 0.8', in the order of the file. Throws ValueError if it is not one."""
-    body, found, checksum = contents.rpartition(CHECKSUM)
-    if not found or checksum.strip() != b'%016x' % fnv1a(body):
-        raise ValueError('expected a Q-table file with a valid checksum')
-    added = b', ' + keys.encode() if keys else b''
-    body, replaced = re.subn(rb'^(action_set: \{type: goal_relative,.*?, lookout: [^,}]*).*\}$',
-                             lambda match: match[1] + added + b'}', body, count=1, flags=re.MULTILINE)
-    if replaced == 0:
-        raise ValueError('expected the action set goal_relative')
-    return body + CHECKSUM + b'%016x\n' % fnv1a(body)
 
 
 def main(words=None):

@@ -37,6 +37,12 @@ def find_config():
     raise RunError(f'{REPOSITORY}: found no config/scenarios')
 
 
+def find_table(name_or_file):
+    """Returns the given Q-table file, or the package's one of that name if there is no such file."""
+    shipped = find_config() / 'q_tables' / f'{name_or_file}.txt'
+    return shipped if shipped.is_file() and not os.path.exists(name_or_file) else pathlib.Path(name_or_file)
+
+
 def find_evaluation(arguments):
     """Returns the program evaluate and the Q-table that the options --tools and --q-table name."""
     q_table = (arguments.q_table or find_config() / 'q_tables' / 'anticipation.txt').absolute()

@@ -1,7 +1,6 @@
 """The program `draw_q_table`: a Q-table as heat maps of values and visits, with labelled axes, or a row explained."""
 import copy
 import math
-import os
 import pathlib
 import textwrap
 
@@ -9,7 +8,7 @@ import numpy
 from crowd_drawing.errors import InputError, check_output
 from crowd_experiments.arguments import add_file, add_tools, parser_of, whole
 from crowd_experiments.style import SETTINGS, save
-from crowd_experiments.tools import find_config, find_tools
+from crowd_experiments.tools import find_table, find_tools
 from crowd_tables.table import action_names, greedy_actions, meaning_of, read_table, row_values, row_visits
 from matplotlib import pyplot, rc_context
 from matplotlib.colors import LogNorm, Normalize
@@ -180,9 +179,7 @@ def main(words=None):
         parser.error(f"--output: expected a name with {', '.join(PICTURES)}, got '{arguments.output}'")
     if arguments.output:
         check_output(arguments.output)
-    shipped = find_config() / 'q_tables' / f'{arguments.table}.txt'
-    is_name = not os.path.exists(arguments.table) and shipped.is_file()
-    table = read_table(str(shipped) if is_name else arguments.table)
+    table = read_table(find_table(arguments.table))
     meaning = meaning_of(table, find_tools(arguments.tools) / 'train')
     if arguments.row is not None:
         if arguments.row >= table.header['rows']:

@@ -1,0 +1,1 @@
+"""Recorded people replaced by simulated ones, for the program `realism`."""
