@@ -32,7 +32,7 @@ inline RelativeAction relativeAction(const ActionSet& actions, const Perception&
 inline MoveFeatures featuresAlone(const Perception& perception, MoveBlock moves, std::size_t count,
                                   double min_fraction) {
   MoveFeatures features;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
-  computeMoveFeatures({&perception, 1}, &moves, 1, count, min_fraction, &features);
+  computeMoveFeatures({&perception, 1}, &moves, 1, count, min_fraction, 0.0, &features);
   return features;
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double LONGEST_TIME = 60.0;      // [s]
 constexpr double FASTEST_APPROACH = 10.0;  // [maximum speeds]
+constexpr double MOST_SPACE = 5.0;         // [m]
 
 /// A digit of the row numbers: the class of a quantity, the number of limits that it reaches.
 /// @param sign the limits are compared with sign * value
@@ -58,7 +59,7 @@ void AnticipationStates::findRows(const PerceptionBatch& batch, const MoveBlock*
   for (Action first = 0; first < actions_; first += MoveFeatures::LANES) {
     const std::size_t count = std::min<std::size_t>(actions_ - first, MoveFeatures::LANES);
     computeMoveFeatures(batch, moves + first / MoveFeatures::LANES, blocksOf(actions_), count, min_fraction_,
-                        features.data());
+                        parameters_.personal_space, features.data());
     for (std::size_t k = 0; k < batch.size(); ++k) findRows(features[k], count, rows + k * actions_ + first);
   }
 }
@@ -71,7 +72,8 @@ std::string AnticipationStates::spec() const {
          ", constant_velocity_times: " + toText(parameters_.constant_velocity_times) +
          ", static_times: " + toText(parameters_.static_times) +
          ", admissible_fractions: " + toText(parameters_.admissible_fractions) +
-         ", turns: " + toText(parameters_.turns) + ", oncoming: " + toText(parameters_.oncoming) + "}";
+         ", turns: " + toText(parameters_.turns) + ", oncoming: " + toText(parameters_.oncoming) +
+         (parameters_.personal_space > 0.0 ? ", personal_space: " + toText(parameters_.personal_space) : "") + "}";
 }
 
 RowMeaning AnticipationStates::meaning() const {
@@ -88,7 +90,7 @@ RowMeaning AnticipationStates::meaning() const {
 
 std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const ActionSet& action_set) {
   map.allow({"type", "vision_radius", "wall_distance", "max_neighbours", "reciprocal_times", "constant_velocity_times",
-             "static_times", "admissible_fractions", "turns", "oncoming"});
+             "static_times", "admissible_fractions", "turns", "oncoming", "personal_space"});
   AnticipationStates::Parameters parameters;
   parameters.vision_radius = map.number("vision_radius", limits::DISTANCE, parameters.vision_radius);
   parameters.wall_distance = map.number("wall_distance", limits::DISTANCE, parameters.wall_distance);
@@ -105,6 +107,7 @@ std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const Actio
   read("admissible_fractions", 1.0, parameters.admissible_fractions);
   read("turns", 180.0, parameters.turns);
   read("oncoming", FASTEST_APPROACH, parameters.oncoming);
+  parameters.personal_space = map.number("personal_space", {NumberRule::NOT_NEGATIVE, MOST_SPACE, "m"}, 0.0);
   if (rows > static_cast<double>(limits::Q_VALUES)) {
     throwProblem(map.place(), map.node(),
                  "expected limits for at most " + std::to_string(limits::Q_VALUES) + " rows, got " + toText(rows));

@@ -85,14 +85,14 @@ void finish(const Course& candidate, MoveFeatures& features) {
 }  // namespace
 
 void computeMoveFeatures(const PerceptionBatch& batch, const MoveBlock* moves, std::size_t stride, std::size_t count,
-                         double min_fraction, MoveFeatures* features) {
+                         double min_fraction, double personal_space, MoveFeatures* features) {
   std::array<Course, MAX_BATCH> candidates;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   const std::size_t size = batch.size();
   for (std::size_t k = 0; k < size; ++k) {
     begin(batch[k].self, moves[k * stride], count, min_fraction, features[k], candidates[k]);
   }
   for (std::size_t k = 0; k < size; ++k) {
-    accumulateTimeToCollision(batch[k], candidates[k].preferred, candidates[k].candidates);
+    accumulateTimeToCollision(batch[k], candidates[k].preferred, personal_space, candidates[k].candidates);
   }
   for (std::size_t k = 0; k < size; ++k) finish(candidates[k], features[k]);
 }

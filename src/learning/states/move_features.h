@@ -29,8 +29,9 @@ struct MoveFeatures {
 /// @param moves the block of the first agent; that of the next agent is `stride` blocks further
 /// @param count number of moves of the block, 1 to LANES; the features of the other lanes are undefined
 /// @param min_fraction a move with a smaller admissible fraction has the times to collision of staying
+/// @param personal_space see accumulateTimeToCollision() [m]
 /// @param features output, one per agent
 void computeMoveFeatures(const PerceptionBatch& batch, const MoveBlock* moves, std::size_t stride, std::size_t count,
-                         double min_fraction, MoveFeatures* features);
+                         double min_fraction, double personal_space, MoveFeatures* features);
 
 }  // namespace crowd
