@@ -112,7 +112,8 @@ void RobotSenses::addPeople(const World& world, SeenPeople people) {
 void RobotSenses::addOthers(const World& world, RobotId robot) {
   auto body = static_cast<BodyNumber>(world.agents().size());
   for (const Obstacle& obstacle : world.obstacles()) {
-    targets_.push_back({obstacle.path.position(world.time()), obstacle.radius, body++});
+    const BodyNumber number = body++;
+    if (world.isPresent(obstacle)) targets_.push_back({obstacle.path.position(world.time()), obstacle.radius, number});
   }
   for (RobotId other = 0; other < world.robots().size(); ++other, ++body) {
     if (other == robot) continue;

@@ -78,6 +78,13 @@ struct ObstacleGroup {
   Range speed;                         ///< [m/s], for TO_AND_FRO and LOOP
 };
 
+/// @brief One entry under `recorded`, with the people of its file.
+struct RecordedGroup {
+  int line = 0;  ///< in the file, for messages
+  RecordedPeople description;
+  std::vector<Obstacle> people;
+};
+
 /// @brief One entry under `robots`.
 struct RobotGroup {
   int line = 0;      ///< in the file, for messages
@@ -103,6 +110,7 @@ struct Scenario {
   std::uint64_t seed = 0;  ///< combined with the seed of the run
   std::vector<AgentGroup> agents;
   std::vector<ObstacleGroup> obstacles;
+  std::vector<RecordedGroup> recorded;
   std::vector<RobotGroup> robots;
   Ends ends = Ends::ALL;                                  ///< see Scene
   std::vector<Segment> walls;                             ///< of the file; those of the map are not among them

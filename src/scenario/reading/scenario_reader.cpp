@@ -8,6 +8,7 @@
 #include "scenario/reading/agent_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/population_reader.h"
+#include "scenario/reading/recorded_reader.h"
 #include "scenario/reading/region_reader.h"
 #include "scenario/reading/robot_reader.h"
 #include "scenario/reading/scenario_map.h"
@@ -106,12 +107,12 @@ void requireFewBodies(const YamlMap& map, const std::string& key, const Groups& 
                "expected at most " + std::to_string(limits::BODIES) + " in all, got " + std::to_string(count));
 }
 
-/// Reads `agents`; a scenario with sources or robots may have none.
+/// Reads `agents`; a scenario with sources, robots or recorded people may have none.
 void readCrowd(const YamlMap& map, const Units& units, const PopulationDescription& population, Scenario& scenario) {
   const auto read = [&](const YAML::Node& entry, const YamlPlace& at) {
     return readAgents(entry, at, units, population);
   };
-  const bool optional = !population.sources.empty() || !scenario.robots.empty();
+  const bool optional = !population.sources.empty() || !scenario.robots.empty() || !scenario.recorded.empty();
   scenario.agents =
       readList<AgentGroup>(optional ? map.find("agents") : map.need("agents"), map.placeOf("agents"), read);
   if (scenario.agents.empty() && !optional) {
@@ -125,7 +126,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
       node, place,
       {"name",   "units",     "tick",   "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
        "agents", "obstacles", "walls",  "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
-       "queues", "gates",     "robots", "ends",     "motion"});
+       "queues", "gates",     "robots", "ends",     "motion",         "recorded"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -149,6 +150,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   if (scenario.ends == Ends::ROBOTS && scenario.robots.empty()) {
     throwProblem(map.placeOf("ends"), map.need("ends"), "there are no robots");
   }
+  scenario.recorded = readRecorded(map, scenario.tick_duration);
   readCrowd(map, units, population, scenario);
   const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
   scenario.obstacles = readList<ObstacleGroup>(map.find("obstacles"), map.placeOf("obstacles"), obstacles);
