@@ -14,7 +14,15 @@ Track::Track(std::vector<double> times, std::vector<Vector2> places)
   if (std::adjacent_find(times_.begin(), times_.end(), std::greater_equal<>()) != times_.end()) {
     throw InputError("expected a track whose times ascend");
   }
-  for (std::size_t i = 0; i < times_.size(); ++i) max_speed_ = std::max(max_speed_, velocityAfter(i).norm());
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    max_speed_ = std::max(max_speed_, velocityAfter(i).norm());
+    lengths_.push_back(i == 0 ? 0.0 : lengths_.back() + (places_[i] - places_[i - 1]).norm());
+  }
+}
+
+std::size_t Track::indexAt(double t) const {
+  const auto later = std::upper_bound(times_.begin(), times_.end(), t);
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, later - times_.begin() - 1));
 }
 
 Vector2 Track::velocityAfter(std::size_t index) const {
@@ -24,11 +32,15 @@ Vector2 Track::velocityAfter(std::size_t index) const {
 }
 
 PathMotion Track::at(double t) const {
-  const auto later = std::upper_bound(times_.begin(), times_.end(), t);
-  const auto index = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, later - times_.begin() - 1));
+  const std::size_t index = indexAt(t);
   const Vector2 velocity = velocityAfter(index);
   if (!isPresent(t) || index + 1 == times_.size()) return {places_[index], velocity};
   return {places_[index] + (t - times_[index]) * velocity, velocity};
+}
+
+double Track::walked(double t) const {
+  const std::size_t index = indexAt(t);
+  return lengths_[index] + (at(t).position - places_[index]).norm();
 }
 
 Track Track::earlier(double duration) const {

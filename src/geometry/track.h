@@ -25,17 +25,22 @@ class Track {
   bool isPresent(double t) const { return times_.front() <= t && t <= times_.back(); }
   /// @brief Place and velocity at a time; those of the first time before it, and of the last one after it.
   PathMotion at(double t) const;
+  /// @brief Length of the way up to a time [m].
+  double walked(double t) const;
   /// @brief The greatest speed between two times [m/s].
   double maxSpeed() const { return max_speed_; }
   /// @brief The same places earlier, by a duration [s].
   Track earlier(double duration) const;
 
  private:
+  /// The index of the last time that is not after t, or 0.
+  std::size_t indexAt(double t) const;
   /// The velocity after the time of that index, or before the last one.
   Vector2 velocityAfter(std::size_t index) const;
 
   std::vector<double> times_;
   std::vector<Vector2> places_;
+  std::vector<double> lengths_;  // of the way up to each time [m]
   double max_speed_ = 0.0;
 };
 

@@ -124,6 +124,17 @@ inline void World::updateGrid() {
   grid_.update();
 }
 
+std::vector<Neighbour> World::recordedPeople() const {
+  std::vector<Neighbour> people;
+  for (const MovingObstacle& mover : moving_obstacles_) {
+    const Obstacle& obstacle = obstacles_[mover.number];
+    const ObstaclePath::Motion& motion = obstacle_motions_[mover.number];
+    if (!obstacle.person || mover.rank == ABSENT) continue;
+    people.push_back({motion.position, motion.velocity, obstacle.radius, NeighbourKind::OBSTACLE});
+  }
+  return people;
+}
+
 void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
   beginStep(actions, thread_pool);
   stop_.throwIfMade();
@@ -146,7 +157,7 @@ void World::beginStep(const std::vector<AgentAction>& actions, ThreadPool& threa
         }
       },
       ThreadPool::FEW_SHORT_ITEMS);
-  robots_.beginMoves(agents_.values());
+  robots_.beginMoves(agents_.values(), robots_.empty() ? std::vector<Neighbour>() : recordedPeople());
   if (contact_ == Contact::SOLID) computeSolidMotions(EVERY_BODY);
 }
 
@@ -190,7 +201,7 @@ void World::endTick(ThreadPool& thread_pool) {
     if (!had_turn_[i]) beginMove(agents_.nth(i), nullptr);
   }
   had_turn_.assign(agents_.size(), false);
-  robots_.beginMoves(agents_.values());
+  robots_.beginMoves(agents_.values(), robots_.empty() ? std::vector<Neighbour>() : recordedPeople());
   if (contact_ == Contact::SOLID) {
     const auto is_obstacle = [this](std::size_t body) { return body >= agents_.size(); };
     computeSolidMotions(is_obstacle);

@@ -14,6 +14,7 @@
 #include "world/agent.h"
 #include "world/agent_map.h"
 #include "world/departed_agents.h"
+#include "world/neighbours.h"
 #include "world/relative_action.h"
 #include "world/robots.h"
 #include "world/walls.h"
@@ -77,6 +78,8 @@ class World {
   /// @brief All obstacles, also recorded people who are not present now.
   const std::vector<Obstacle>& obstacles() const { return obstacles_; }
   bool isPresent(const Obstacle& obstacle) const { return obstacle.path.isPresent(time()); }
+  /// @brief The recorded people who are present, in `map`.
+  std::vector<Neighbour> recordedPeople() const;
   const Walls& walls() const { return walls_; }
   /// @brief Number of changes of walls and obstacles at rest, for caches of what depends on them.
   std::uint64_t layoutChanges() const { return layout_changes_; }

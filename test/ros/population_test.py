@@ -3,7 +3,7 @@
 import support
 from controlling import QUIET, ControllerTestCase
 from geometry_msgs.msg import Point, Pose2D
-from social_crowd.msg import AgentState, ControllerStatus, Walls
+from social_crowd.msg import AgentState, AgentStates, ControllerStatus, Walls
 from walking import WalkTestCase
 
 SHOP = """
@@ -77,6 +77,50 @@ class WalkTest(WalkTestCase):
 
     def test_no_agent_at_the_start(self):
         self.check('')
+
+
+RECORDED = """
+name: recorded
+duration: 12
+goal_tolerance: 0.3
+agents:
+  - {count: 4, position: {box: [[-4, -4], [-2, 4]]}, goal: {box: [[2, -4], [4, 4]]}, speed: [1.0, 1.5], radius: 0.2}
+robots:
+  - {name: cart, position: [0, 6], goal: [0, -6], radius: 0.3, max_speed: 1}
+recorded:
+  - {file: walk.csv, offset: 0.5}
+"""
+# Person 12 comes at 0.5 s and leaves at 4.5 s, person 3 comes at 6.5 s.
+RECORDING = 'instance,tick,agent,x,y\n0,0,12,0,-5\n0,20,12,0,-2\n0,40,12,1,1\n0,60,3,0,5\n0,300,3,0,-7\n'
+
+
+class RecordedPeopleTest(ControllerTestCase, WalkTestCase):
+    """People of a recording among agents."""
+
+    def test_the_same_as_without_ros(self):
+        self.write('walk.csv', RECORDING)
+        scenario = self.write('recorded.yaml', RECORDED)
+        expected = self.headless(scenario, support.ANTICIPATION_TABLE, episodes=2, seed=5)
+        self.start_learner(q_table=support.ANTICIPATION_TABLE)
+        self.assert_same_recording(self.walk(scenario, episodes=2), expected)
+
+    def test_states_and_services(self):
+        self.write('walk.csv', RECORDING)
+        states = self.listen('agents', AgentStates)
+        self.start_all(RECORDED)
+        self.step(70)
+        there = {message.tick: message.obstacles for message in states.messages if message.episode == 0}
+        self.assertEqual(there[4], [])
+        self.assertEqual({tick for tick, obstacles in there.items() if [one.person for one in obstacles] == [12]},
+                         set(range(5, 46)))
+        one = there[35][0]
+        self.assertEqual((one.obstacle, one.recorded, one.radius), (1, 1, 0.25))  # person 3 is obstacle 0
+        self.assertAlmostEqual(one.position.x, 0.5)
+        self.assertAlmostEqual(one.position.y, -0.5)
+        self.assertAlmostEqual(one.velocity.y, 1.5)
+        self.assertEqual([one.person for one in there[65]], [3])
+        self.refuse('move_obstacle', 'obstacle 0 is recorded person 3', obstacle=0, position=Point(9, 9, 0))
+        self.refuse('remove_obstacle', 'obstacle 0 is recorded person 3', obstacle=0)
 
 
 class ServicesTest(ControllerTestCase):
