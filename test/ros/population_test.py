@@ -3,7 +3,7 @@
 import support
 from controlling import QUIET, ControllerTestCase
 from geometry_msgs.msg import Point, Pose2D
-from social_crowd.msg import AgentState, AgentStates, ControllerStatus, Walls
+from social_crowd.msg import AgentState, ControllerStatus, Walls
 from walking import WalkTestCase
 
 SHOP = """
@@ -94,8 +94,8 @@ recorded:
 RECORDING = 'instance,tick,agent,x,y\n0,0,12,0,-5\n0,20,12,0,-2\n0,40,12,1,1\n0,60,3,0,5\n0,300,3,0,-7\n'
 
 
-class RecordedPeopleTest(ControllerTestCase, WalkTestCase):
-    """People of a recording among agents."""
+class RecordedWalkTest(WalkTestCase):
+    """People of a recording among agents, through ROS and without."""
 
     def test_the_same_as_without_ros(self):
         self.write('walk.csv', RECORDING)
@@ -104,12 +104,15 @@ class RecordedPeopleTest(ControllerTestCase, WalkTestCase):
         self.start_learner(q_table=support.ANTICIPATION_TABLE)
         self.assert_same_recording(self.walk(scenario, episodes=2), expected)
 
+
+class RecordedPeopleTest(ControllerTestCase):
+    """Recorded people in messages and services."""
+
     def test_states_and_services(self):
         self.write('walk.csv', RECORDING)
-        states = self.listen('agents', AgentStates)
         self.start_all(RECORDED)
-        self.step(70)
-        there = {message.tick: message.obstacles for message in states.messages if message.episode == 0}
+        self.walk(70)
+        there = {message.tick: message.obstacles for message in self.agents.messages}
         self.assertEqual(there[4], [])
         self.assertEqual({tick for tick, obstacles in there.items() if [one.person for one in obstacles] == [12]},
                          set(range(5, 46)))
