@@ -125,6 +125,19 @@ class RecordedPeopleTest(ControllerTestCase):
         self.refuse('move_obstacle', 'obstacle 0 is recorded person 3', obstacle=0, position=Point(9, 9, 0))
         self.refuse('remove_obstacle', 'obstacle 0 is recorded person 3', obstacle=0)
 
+    def test_a_saved_scenario_goes_on(self):
+        self.write('walk.csv', RECORDING)
+        self.start_all(RECORDED)
+        here = self.walk(35).obstacles
+        response = self.do('save_scenario', file='saved.yaml')
+        self.assert_says(response.message, '0 obstacles', '2 recorded walks')
+        self.assertIn("recorded:\n  - {file: 'walk.csv', offset: -3, ", support.read_text(self.path('saved.yaml')))
+        self.do('load_scenario', scenario=self.path('saved.yaml'))
+        again = self.agents.wait(lambda state: state.episode > 0 and state.tick == 0, 'at its start').obstacles
+        self.assertEqual([one.person for one in again], [12])
+        for axis in 'xy':
+            self.assertAlmostEqual(getattr(again[0].position, axis), getattr(here[0].position, axis))
+
 
 class ServicesTest(ControllerTestCase):
     """set_route, set_gate."""

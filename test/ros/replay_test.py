@@ -155,8 +155,8 @@ class ReplayTest(LaunchTestCase):
 
     def test_launch_file(self):
         """crowd_markers draws the people; without RViz the launch ends with the recording."""
-        markers = self.listen('replay/markers', MarkerArray)
-        self.states = self.listen('replay/agents', AgentStates)
+        markers = self.listen('recording/markers', MarkerArray)
+        self.states = self.listen('recording/agents', AgentStates)
         launched = self.launch('replay.launch', trajectories=self.write('obsmat.txt', OBSMAT), paused='true')
 
         def has_tip(array):
@@ -169,14 +169,14 @@ class ReplayTest(LaunchTestCase):
 
     def test_beside_a_demo(self):
         """Neither ends a node of the other, and each has topics of its own."""
-        markers = {name: self.listen(name, MarkerArray) for name in ('markers', 'replay/markers')}
+        markers = {name: self.listen(name, MarkerArray) for name in ('markers', 'recording/markers')}
         demo = self.launch('demo.launch', scenario='circle6', episodes=0)
         markers['markers'].wait(lambda array: array.markers, 'of the demo')
-        self.states = self.listen('replay/agents', AgentStates)
+        self.states = self.listen('recording/agents', AgentStates)
         replay = self.launch('replay.launch', trajectories=self.write('obsmat.txt', OBSMAT), paused='true')
-        markers['replay/markers'].wait_connected()
+        markers['recording/markers'].wait_connected()
         self.go_on()
-        markers['replay/markers'].wait(lambda array: array.markers, 'of the replay')
+        markers['recording/markers'].wait(lambda array: array.markers, 'of the replay')
         self.assert_ends_well(replay)
         shown = len(markers['markers'].messages)
         support.wait_for(lambda: len(markers['markers'].messages) > shown + 5, 'the demo to go on')
