@@ -36,8 +36,9 @@ def remappings(file, folder):
     except (OSError, rosbag.ROSBagException):
         return []
     here = rosgraph.names.get_ros_namespace()
-    return [f'{topic}:={here}{folder}/{topic[len(here):]}' for topic in topics
-            if folder and topic.startswith(here) and topic not in COMMON_TOPICS]
+    names = [topic if topic.startswith('/') else here + topic for topic in topics]  # rosbag records them as given
+    return [f'{name}:={here}{folder}/{name[len(here):]}' for name in names
+            if folder and name.startswith(here) and name not in COMMON_TOPICS]
 
 
 def wait_for_subscribers(folder):
