@@ -45,7 +45,8 @@ def wait_for_subscribers(folder):
     """Waits until nodes subscribe to SHOWN_TOPICS, in a folder of this namespace unless it is empty, but not longer
     than PATIENCE."""
     master = rosgraph.Master('/play_bag')
-    topics = {rosgraph.names.script_resolve_name('/play_bag', f'{folder}/{topic}'.lstrip('/')) for topic in SHOWN_TOPICS}
+    names = [f'{folder}/{topic}' if folder else topic for topic in SHOWN_TOPICS]
+    topics = {rosgraph.names.script_resolve_name('/play_bag', name) for name in names}
     deadline = time.monotonic() + PATIENCE
     while time.monotonic() < deadline and not topics <= {topic for topic, _ in master.getSystemState()[1]}:
         time.sleep(PERIOD)

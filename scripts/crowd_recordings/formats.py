@@ -183,8 +183,8 @@ def part_of(track, entry):
 
 
 def recorded_people(scene):
-    """Returns (person, Track, radius) of the recorded people of a Scene, as `evaluate` lets them walk. Raises InputError,
-    OSError."""
+    """Returns (person, Track, radius) of the recorded people of a Scene, as `evaluate` lets them walk. Raises
+    InputError, OSError."""
     people = []
     for entry in scene.recorded:
         frame_rate = entry.get('frame_rate')
