@@ -173,6 +173,8 @@ class Scene:
             [body for i, entry in enumerate(document.get(key) or [])
              for body in [read(entry, f'{key}[{i}]')] * self.count(entry, f'{key}[{i}].count')]
             for key, read in (('agents', self.agent), ('obstacles', self.obstacle), ('robots', self.robot)))
+        self.recorded = [self.recorded_people(entry, f'recorded[{i}]')
+                         for i, entry in enumerate(document.get('recorded') or [])]
         self.walls = [self.wall(wall, f'walls[{i}]') for i, wall in enumerate(document.get('walls') or [])]
         self.population = Population(self, document)
 
@@ -250,6 +252,14 @@ class Scene:
             'radius': max(math.hypot(*corner) for corner in corners) if corners else self.radius(entry, where),
         }
 
+    def recorded_people(self, entry, where):
+        """Reads an entry under `recorded`; crowd_recordings.formats reads its file."""
+        times = {key: self.number(entry[key], f'{where}.{key}') for key in ('from', 'to', 'offset', 'frame_rate')
+                 if entry.get(key) is not None}
+        return {'file': entry['file'], 'instance': entry.get('instance'), 'people': entry.get('people'), **times,
+                'radius': self.number(entry.get('radius', DEFAULT_RADIUS), f'{where}.radius'),
+                'shift': self.point(entry.get('shift', [0, 0]), f'{where}.shift')}
+
     def wall(self, wall, where):
         ends = [self.point(end, where) for end in wall]
         self.need(len(ends) == 2 and None not in ends, where, '[[x1, y1], [x2, y2]]', wall)
@@ -263,6 +273,8 @@ def read_scene(file, instance):
         raise InputError(f'{file}: has no scenario')
     index = instance % len(documents)
     scene = Scene(documents[index], f'{file}: document {index + 1}')
+    for entry in scene.recorded:
+        entry['file'] = pathlib.Path(file).parent / entry['file']
     if 'map' in documents[index]:
         scene.map = read_map(pathlib.Path(file).parent / documents[index]['map'])
     return scene

@@ -5,6 +5,7 @@ from crowd_drawing.errors import InputError
 from crowd_drawing.files import find_scenario, read_scene, read_walks
 from crowd_drawing.picture import PATH_OF_MOMENT, Picture, colours_of, draw_surroundings
 from crowd_experiments.arguments import at_least_zero, parser_of, whole
+from crowd_recordings.formats import recorded_people
 
 EXAMPLES = '''examples:
   rosrun social_crowd evaluate --q-table config/q_tables/human.txt --trajectories recordings place_corner
@@ -19,6 +20,8 @@ def draw(scene, walks, file, title, moment):
     draw_surroundings(picture, scene, last_tick * scene.tick if moment is None else moment)
     for obstacle in scene.obstacles:
         picture.draw_obstacle(obstacle, last_tick * scene.tick)
+    for _, track, radius in recorded_people(scene):
+        picture.draw_recorded(track, radius, last_tick * scene.tick, moment)
     colours = colours_of(max(max(walks) + 1, len(scene.agents)))
     for agent, walk in sorted(walks.items()):
         radius, colour = scene.radius_of(agent), colours[agent]

@@ -16,6 +16,7 @@ from matplotlib.transforms import ScaledTranslation  # noqa: E402
 LONGER_SIDE = 7.0  # of the axes [inch]
 MARGIN = 0.5  # of the picture around its contents [m]
 OBSTACLE_COLOUR = '0.62'
+RECORDED_COLOUR = '#1f2129'  # of recorded people
 SOURCE_COLOUR, SINK_COLOUR, GATE_COLOUR = '#8ecbf5', '#a5dba0', '#e07b00'
 START_ALPHA = 0.55
 PATH_OF_MOMENT = 10.0  # [s]
@@ -42,7 +43,7 @@ class Picture:
     def __init__(self, axes=None):
         self.figure, self.axes = (axes.figure, axes) if axes is not None else pyplot.subplots()
         self.low, self.high = numpy.full(2, math.inf), numpy.full(2, -math.inf)
-        self.has_goals = self.has_obstacles = False
+        self.has_goals = self.has_obstacles = self.has_recorded = False
         self.further_entries = []  # of the legend
 
     def show(self, points, radius=0.0):
@@ -112,6 +113,19 @@ class Picture:
         if places and walk[-1][0] >= tick:
             self.disc(places[-1], radius, facecolor=colour, edgecolor='black', linewidth=0.4, zorder=7)
 
+    def draw_recorded(self, track, radius, end, moment):
+        """Draws the path of a recorded person until the end of the episode, or the body at a moment, if it is not None
+        [s]."""
+        places = track.places[track.times <= end]
+        if moment is None and len(places):
+            self.has_recorded = True
+            self.show(places, radius)
+            self.axes.plot(*places.T, color=RECORDED_COLOUR, linewidth=1.0, alpha=0.6, zorder=4)
+        elif moment is not None and track.is_present(moment):
+            self.has_recorded = True
+            self.show(track.place_at(moment), radius)
+            self.disc(track.place_at(moment), radius, facecolor=RECORDED_COLOUR, zorder=6)
+
     def add_legend(self, scene, is_moment=False):
         grey = '0.25'
         entries = [
@@ -124,6 +138,7 @@ class Picture:
         ]
         entries += [mark_of('goal', grey, 8, marker='x', markeredgewidth=2)] if self.has_goals else []
         entries += [mark_of('obstacle', OBSTACLE_COLOUR, markeredgecolor='0.35')] if self.has_obstacles else []
+        entries += [mark_of('recorded person', RECORDED_COLOUR, 7)] if self.has_recorded else []
         entries += [Line2D([], [], color='black', linewidth=3, label='wall')] if scene.walls else []
         entries += self.further_entries
         below_labels = ScaledTranslation(0, -0.45, self.figure.dpi_scale_trans)  # [inch]

@@ -4,7 +4,9 @@ import math
 import numpy
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import is_open, place_of
-from crowd_drawing.picture import GATE_COLOUR, OBSTACLE_COLOUR, Picture, colours_of, draw_surroundings, mark_of
+from crowd_drawing.picture import (GATE_COLOUR, OBSTACLE_COLOUR, RECORDED_COLOUR, Picture, colours_of,
+                                   draw_surroundings, mark_of)
+from crowd_recordings.formats import recorded_people
 from matplotlib import pyplot
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_rgb
@@ -42,6 +44,9 @@ class Stage:
                 self.picture.show(body['position'], body['radius'])
         for agent, track in tracks.items():
             self.picture.show(track.places, scene.radius_of(agent))
+        self.recorded = [(track, radius) for _, track, radius in recorded_people(scene)]
+        for track, radius in self.recorded:
+            self.picture.show(track.places, radius)
         self.width, self.height = self.frame(size, view)
         self.write(title, scene)
 
@@ -74,6 +79,7 @@ class Stage:
         self.figure.text(ends[1] + EDGE / 2 / self.width, middle, f'{length} m', va='center', fontsize=FONT_SIZE - 1)
         entries = [*self.picture.further_entries,
                    *([mark_of('obstacle', OBSTACLE_COLOUR, 7, markeredgecolor='0.3')] if scene.obstacles else []),
+                   *([mark_of('recorded', RECORDED_COLOUR, 7)] if self.recorded else []),
                    *([mark_of('robot', ROBOT_COLOUR, 7, 's', markeredgecolor='0.3')] if scene.robots else [])]
         if entries:
             self.figure.legend(handles=entries, loc='center right', bbox_to_anchor=(1, middle), ncol=len(entries),
@@ -133,12 +139,15 @@ class FramePainter:
                  for obstacle in self.scene.obstacles if obstacle['position'] is not None]
         discs += [(robot['position'], robot['radius'], to_rgb(ROBOT_COLOUR)) for robot in self.placed_robots]
         noses = []
+        for track, radius in self.stage.recorded:
+            if track.is_present(time):
+                discs.append((track.place_at(time), radius, to_rgb(RECORDED_COLOUR)))
+                noses.append(nose_of(track, radius, time))
         segments, shades = [], []
         for agent, track in present:
             radius, colour = self.scene.radius_of(agent), self.colours[agent]
-            place, heading = track.place_at(time), track.heading_at(time)
-            discs.append((place, radius, colour))
-            noses.append([point_ahead(place, heading, share * radius) for share in (0.35, 0.75)])
+            discs.append((track.place_at(time), radius, colour))
+            noses.append(nose_of(track, radius, time))
             places = track.trail(time, TRAIL, TRAIL_POINTS)
             segments += [places[i:i + 2] for i in range(TRAIL_POINTS - 1)]
             shades += [(*colour, 0.7 * (i + 1) / TRAIL_POINTS) for i in range(TRAIL_POINTS - 1)]
@@ -176,6 +185,12 @@ def set_discs(collection, discs):
     """Sets the discs (centre, radius, colour) of a collection."""
     collection.set_verts([numpy.array(centre) + radius * CIRCLE for centre, radius, _ in discs])
     collection.set_facecolor([colour for _, _, colour in discs])
+
+
+def nose_of(track, radius, time):
+    """Returns the line that shows the heading of a person."""
+    place, heading = track.place_at(time), track.heading_at(time)
+    return [point_ahead(place, heading, share * radius) for share in (0.35, 0.75)]
 
 
 def point_ahead(place, heading, distance):

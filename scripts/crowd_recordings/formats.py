@@ -170,6 +170,32 @@ def track_of(walk, tick):
     return Track(times, places, numpy.unwrap(numpy.arctan2(motion[latest, 1], motion[latest, 0])))
 
 
+def part_of(track, entry):
+    """Returns the part of a Track that an entry of Scene.recorded uses, at the times of the episode; None: none."""
+    begin = max(entry.get('from', 0), track.times[0])
+    end = min(entry.get('to', math.inf), track.times[-1])
+    if begin > end:
+        return None
+    times = numpy.unique([begin, *track.times[(track.times > begin) & (track.times < end)], end])
+    places = [track.place_at(time) for time in times] + numpy.array(entry['shift'])
+    headings = numpy.array([track.heading_at(time) for time in times])
+    return Track(times - entry.get('from', 0) + entry.get('offset', 0), places, headings)
+
+
+def recorded_people(scene):
+    """Returns (person, Track, radius) of the recorded people of a Scene, as `evaluate` lets them walk. Raises
+    InputError, OSError."""
+    people = []
+    for entry in scene.recorded:
+        frame_rate = entry.get('frame_rate')
+        recording = read_recording(entry['file'], entry['instance']).at_rate(frame_rate)
+        for person, walk in recording.walks.items():
+            if entry['people'] is None or person in entry['people']:
+                part = part_of(track_of(walk, recording.frame_duration or scene.tick), entry)
+                people += [] if part is None else [(person, part, entry['radius'])]
+    return people
+
+
 def read_shown(trajectories, scenario=None, instance=None, frame_rate=None):
     """Reads a recording, and the scenario of its instance, if one is given. Returns the Scene, the Tracks by person,
     and the time between two frames [s].

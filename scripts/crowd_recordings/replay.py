@@ -11,7 +11,7 @@ import rospy
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import OCCUPIED_COLOUR, UNKNOWN_COLOUR, place_of
 from crowd_launching.program import end_launch
-from crowd_recordings.formats import read_shown
+from crowd_recordings.formats import read_shown, recorded_people
 from geometry_msgs.msg import Point, Pose, Pose2D, Quaternion, Vector3
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from social_crowd.msg import AgentState, AgentStates, ObstacleState, Scenario, Wall
@@ -32,7 +32,7 @@ class Messages:
     message contains those who have appeared so far. `names`: their numbers in the file, by these numbers."""
 
     def __init__(self, name, scene, tracks, frame_duration):
-        self.name, self.scene = name, scene
+        self.name, self.scene, self.recorded = name, scene, recorded_people(scene)
         self.names = sorted(tracks, key=lambda person: (tracks[person].times[0], person))
         self.tracks = [tracks[person] for person in self.names]
         self.tick_duration = frame_duration / math.ceil(frame_duration / LONGEST_TICK - 1e-9)
@@ -75,8 +75,15 @@ class Messages:
     def obstacles(self, tick):
         time = self.time_of(tick)
         known = [obstacle for obstacle in self.scene.obstacles if obstacle['position'] is not None]
-        return [ObstacleState(obstacle=number, radius=obstacle['radius'], position=Point(*place_of(obstacle, time), 0))
-                for number, obstacle in enumerate(known)]
+        states = [ObstacleState(obstacle=number, radius=obstacle['radius'],
+                                position=Point(*place_of(obstacle, time), 0)) for number, obstacle in enumerate(known)]
+        for number, (person, track, radius) in enumerate(self.recorded, len(known)):
+            if track.is_present(time):
+                (x, y), before = track.place_at(time), track.place_at(time - self.tick_duration)
+                velocity = Vector3((x - before[0]) / self.tick_duration, (y - before[1]) / self.tick_duration, 0)
+                states.append(ObstacleState(obstacle=number, recorded=1, person=person, position=Point(x, y, 0),
+                                            velocity=velocity, radius=radius))
+        return states
 
 
 def grid_of(floor, stamp):

@@ -43,6 +43,10 @@ constexpr std::int64_t RAYS = 100'000;  ///< of a laser scanner
 /// Relative errors, and errors in radians per metre, of a robot's odometry.
 constexpr NumberLimit ODOMETRY_ERROR{NumberRule::NOT_NEGATIVE, 10.0, ""};
 
+/// Positions of the recorded people of a scenario: some 100 MB.
+constexpr std::size_t SAMPLES = 10'000'000;
+constexpr NumberLimit FRAME_RATE{NumberRule::POSITIVE, 1e6, "Hz"};  ///< of a recording
+
 /// Cells of a map; also samples of its image, which has up to four for each pixel: 100 MB.
 constexpr std::uint64_t CELLS = 100'000'000;
 

@@ -28,11 +28,15 @@ ObstaclePath ObstaclePath::loop(std::vector<Vector2> points, double speed) {
   return {Kind::LOOP, std::move(points), Vector2::Zero(), speed};
 }
 
+ObstaclePath ObstaclePath::recorded(std::shared_ptr<const Track> track) {
+  ObstaclePath path(Kind::RECORDED, {}, Vector2::Zero(), track->maxSpeed());
+  path.track_ = std::move(track);
+  return path;
+}
+
 ObstaclePath::ObstaclePath(Kind kind, std::vector<Vector2> points, const Vector2& velocity, double speed)
     : kind_(kind), points_(std::move(points)), velocity_(velocity), speed_(speed) {
-  if (kind_ == Kind::AT_REST || kind_ == Kind::STRAIGHT) {
-    return;
-  }
+  if (kind_ != Kind::TO_AND_FRO && kind_ != Kind::LOOP) return;
   // The way back is appended, so that both kinds are closed loops.
   std::vector<Vector2> round = points_;
   if (kind_ == Kind::TO_AND_FRO && points_.size() > 2) {
@@ -64,12 +68,14 @@ std::pair<const ObstaclePath::Leg&, double> ObstaclePath::legAt(double t) const 
 }
 
 ObstaclePath::Motion ObstaclePath::at(double t) const {
+  if (track_ != nullptr) return track_->at(t);
   if (legs_.empty()) return {points_.front() + t * velocity_, velocity_};
   const auto [leg, way] = legAt(t);
   return {leg.from + way * leg.unit, speed_ * leg.unit};
 }
 
 ObstaclePath ObstaclePath::after(double t) const {
+  if (track_ != nullptr) return recorded(std::make_shared<const Track>(track_->earlier(t)));
   const Vector2 place = position(t);
   if (legs_.empty()) return straight(place, velocity_);
   const auto [leg, way] = legAt(t);

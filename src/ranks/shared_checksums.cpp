@@ -53,6 +53,9 @@ std::string checksumOf(const Scene& scene) {
   }
   for (const Obstacle& obstacle : scene.obstacles) {
     write(obstacle.path.points());
+    if (const Track* track = obstacle.path.track()) {
+      for (const double time : track->times()) write(time);
+    }
     write(obstacle.path.velocity(0.0));
     write(obstacle.path.speed());
     write(obstacle.path.kind());

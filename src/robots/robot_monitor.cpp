@@ -110,14 +110,17 @@ void RobotMonitor::observePeople(const World& world, const Robot& robot, Track& 
   RobotResult& result = track.result;
   double nearest = std::numeric_limits<double>::infinity();
   double its_radius = 0.0;
-  for (const Agent& agent : world.agents()) {
-    if (!agent.isWalking()) continue;
-    const double apart = distance(robot.start.footprint, robot.pose, agent.pose.position);
-    result.minimum_clearance = smaller(result.minimum_clearance, apart - agent.radius);
-    if (apart >= nearest) continue;
+  const auto see = [&](const Vector2& place, double radius) {
+    const double apart = distance(robot.start.footprint, robot.pose, place);
+    result.minimum_clearance = smaller(result.minimum_clearance, apart - radius);
+    if (apart >= nearest) return;
     nearest = apart;
-    its_radius = agent.radius;
+    its_radius = radius;
+  };
+  for (const Agent& agent : world.agents()) {
+    if (agent.isWalking()) see(agent.pose.position, agent.radius);
   }
+  for (const Neighbour& person : world.recordedPeople()) see(person.position, person.radius);
   if (std::isinf(nearest)) return;
   ++track.ticks_with_people;
   track.sum_of_clearances += nearest - its_radius;

@@ -57,10 +57,10 @@ const std::vector<float>& RobotSenses::ranges(const World& world, RobotId robot)
   return sensors_[robot].ranges;
 }
 
-const std::vector<bool>& RobotSenses::visibleAgents(const World& world, RobotId robot) {
+const std::vector<bool>& RobotSenses::visibleBodies(const World& world, RobotId robot) {
   scan(world, robot);
   Sensor& sensor = sensors_[robot];
-  sensor.seen.assign(world.agents().size(), false);
+  sensor.seen.assign(world.agents().size() + world.obstacles().size(), false);
   markVisible(sensor.scanner.last(), sensor.seen);
   return sensor.seen;
 }
@@ -91,7 +91,8 @@ void RobotSenses::scan(const World& world, RobotId robot) {
   targets_.clear();
   edges_.clear();
   addPeople(world, spec.people);
-  addOthers(world, robot);
+  addObstacles(world, spec.people);
+  addRobots(world, robot);
   const Scan& scan = sensor.scanner.scan(sensorPose(world.robots()[robot].pose, spec.mount),
                                          {targets_.data(), targets_.size()}, {edges_.data(), edges_.size()}, walls_);
   writeRanges(scan, spec, KeyedRandom(seed_, KeyedRandom::SENSOR, {robot, world.tick()}), sensor.ranges);
@@ -109,11 +110,24 @@ void RobotSenses::addPeople(const World& world, SeenPeople people) {
   }
 }
 
-void RobotSenses::addOthers(const World& world, RobotId robot) {
+void RobotSenses::addObstacles(const World& world, SeenPeople people) {
   auto body = static_cast<BodyNumber>(world.agents().size());
   for (const Obstacle& obstacle : world.obstacles()) {
-    targets_.push_back({obstacle.path.position(world.time()), obstacle.radius, body++});
+    const BodyNumber number = body++;
+    if (!world.isPresent(obstacle)) continue;
+    const PathMotion motion = obstacle.path.at(world.time());
+    const Track* const track = obstacle.path.track();
+    if (people == SeenPeople::LEGS && track != nullptr) {
+      addLegs({motion.position, bearingOf(motion.velocity)}, track->walked(world.time()), obstacle.radius, number,
+              targets_);
+    } else {
+      targets_.push_back({motion.position, obstacle.radius, number});
+    }
   }
+}
+
+void RobotSenses::addRobots(const World& world, RobotId robot) {
+  auto body = static_cast<BodyNumber>(world.agents().size() + world.obstacles().size());
   for (RobotId other = 0; other < world.robots().size(); ++other, ++body) {
     if (other == robot) continue;
     const Pose& pose = world.robots()[other].pose;

@@ -34,9 +34,9 @@ class RobotSenses {
   /// @brief Ranges that the laser scanner of a robot reports now, see writeRanges(). Computed at the first call in a
   /// tick; valid until the next tick or forgetScans().
   const std::vector<float>& ranges(const World& world, RobotId robot);
-  /// @brief For each of World::agents(), whether at least one ray of the scan of ranges() meets the agent first, at any
-  /// range up to the greatest one; noise and dropouts have no effect.
-  const std::vector<bool>& visibleAgents(const World& world, RobotId robot);
+  /// @brief For each of World::agents(), then of World::obstacles(), whether at least one ray of the scan of ranges()
+  /// meets it first, at any range up to the greatest one; noise and dropouts have no effect.
+  const std::vector<bool>& visibleBodies(const World& world, RobotId robot);
   /// @brief The world has changed since the last tick: scans are computed anew, with the same noise.
   void forgetScans();
 
@@ -66,8 +66,10 @@ class RobotSenses {
   static void measureMove(const Robot& robot, double tick_duration, Sensor& sensor);
   void scan(const World& world, RobotId robot);
   void addPeople(const World& world, SeenPeople people);
-  /// Adds obstacles and the other robots.
-  void addOthers(const World& world, RobotId robot);
+  /// Adds obstacles, of recorded people what the scanner sees of people.
+  void addObstacles(const World& world, SeenPeople people);
+  /// Adds the other robots.
+  void addRobots(const World& world, RobotId robot);
 
   std::uint64_t seed_;
   bool has_legs_ = false;

@@ -61,7 +61,7 @@ void CrowdEditor::takeScenario(const social_crowd::Scenario& scenario) {
 }
 
 void CrowdEditor::takeStates(const social_crowd::AgentStates::ConstPtr& states) {
-  if (states->obstacles.size() < states_->obstacles.size()) ++removals_;
+  if (countMovable(*states) < countMovable(*states_)) ++removals_;
   states_ = states;
 }
 

@@ -58,6 +58,11 @@ MenuEntry entryOf(EditorEntry entry, const std::string& title) {
 
 }  // namespace
 
+std::size_t countMovable(const social_crowd::AgentStates& states) {
+  const auto is_movable = [](const social_crowd::ObstacleState& obstacle) { return obstacle.recorded == 0; };
+  return static_cast<std::size_t>(std::count_if(states.obstacles.begin(), states.obstacles.end(), is_movable));
+}
+
 EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent,
                         std::uint64_t removals) {
   EditorHandles handles;
@@ -72,9 +77,10 @@ EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t mos
         Kind::AGENT, agent.agent, {agent.pose.x, agent.pose.y}, agent.pose.theta, agent.radius};
     handles["goal_" + number] = {Kind::GOAL, agent.agent, fromPoint(agent.goal), 0.0, GOAL_RADIUS};
   }
-  if (states.obstacles.size() > most) return handles;
+  if (countMovable(states) > most) return handles;
   const std::string generation = removals == 0 ? "" : "_after_" + std::to_string(removals);
   for (const social_crowd::ObstacleState& obstacle : states.obstacles) {
+    if (obstacle.recorded != 0) continue;
     handles["obstacle_" + std::to_string(obstacle.obstacle) + generation] = {
         Kind::OBSTACLE, obstacle.obstacle, fromPoint(obstacle.position), 0.0, obstacle.radius};
   }

@@ -24,8 +24,11 @@ struct EditorHandle {
 /// @brief Handles by the names of their markers, such as agent_3, goal_3 and obstacle_0.
 using EditorHandles = std::map<std::string, EditorHandle>;
 
-/// @brief The handles of agents on their way with their goals, and of obstacles. Of a kind with more than `most`, no
-/// handles are made, except those of the chosen agent.
+/// @brief Number of obstacles that can be moved and removed: all but recorded people.
+std::size_t countMovable(const social_crowd::AgentStates& states);
+
+/// @brief The handles of agents on their way with their goals, and of obstacles that can be moved. Of a kind with more
+/// than `most`, no handles are made, except those of the chosen agent.
 /// @param removals how often obstacles were removed, which renumbers others: the names of their handles change, so that
 /// what a user still does with an old one has no effect on another obstacle
 EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,9 +20,11 @@ struct Label {
   int line;
   int number;
   int count;
+  std::optional<std::uint64_t> person = std::nullopt;  ///< of a recording
 
   std::string text() const {
     const std::string name = std::string(list) + "[" + std::to_string(entry) + "]";
+    if (person) return name + " (person " + std::to_string(*person) + ")";
     return count == 1 ? name : name + " (" + std::to_string(number) + " of " + std::to_string(count) + ")";
   }
 };

@@ -80,6 +80,7 @@ class Placement {
   enum class Position { FIXED, DRAWN, BETWEEN };
   static Position positionOf(const ObstacleGroup& group);
 
+  void placeRecorded();
   void recordFixedGoals();
   void placeObstacles(Position position);
   Vector2 drawStart(const ObstacleGroup& group, const Label& label);
@@ -119,6 +120,7 @@ Scene Placement::place() {
   scene_.obstacles.resize(obstacle_count, {ObstaclePath::atRest(Vector2::Zero()), 0.0});
   recordFixedGoals();
   placeObstacles(Position::FIXED);
+  placeRecorded();
   placeFixedAgents();
   placeRobots(scenario_, true, robot_random_, placed_, scene_);
   requireFreeGoals(scenario_, placed_);
@@ -141,6 +143,20 @@ void Placement::recordFixedGoals() {
     }
     if (group.opposite && group.position.isFixed()) {
       placed_.addGoal(2.0 * *group.opposite - group.position.first, group.radius.high);
+    }
+  }
+}
+
+/// Adds the recorded people behind the obstacles. Only those who are there at the start take a place.
+void Placement::placeRecorded() {
+  for (std::size_t entry = 0; entry < scenario_.recorded.size(); ++entry) {
+    const RecordedGroup& group = scenario_.recorded[entry];
+    scene_.recorded.push_back(group.description);
+    for (const Obstacle& person : group.people) {
+      scene_.obstacles.push_back(person);
+      if (!person.path.isPresent(0.0)) continue;
+      placed_.add({"recorded", entry, group.line, 1, 1, person.person}, person.path.position(0.0), person.radius,
+                  false);
     }
   }
 }

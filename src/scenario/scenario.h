@@ -95,6 +95,13 @@ struct ObstacleGroup {
   Range speed;                         ///< [m/s], for TO_AND_FRO and LOOP
 };
 
+/// @brief One entry under `recorded`, with the people of its file.
+struct RecordedGroup {
+  int line = 0;  ///< in the file, for messages
+  RecordedPeople description;
+  std::vector<Obstacle> people;
+};
+
 /// @brief One entry under `robots`.
 struct RobotGroup {
   int line = 0;      ///< in the file, for messages
@@ -121,6 +128,7 @@ struct Scenario {
   std::vector<AgentGroup> agents;
   std::vector<GroupDescription> groups;
   std::vector<ObstacleGroup> obstacles;
+  std::vector<RecordedGroup> recorded;
   std::vector<RobotGroup> robots;
   Ends ends = Ends::ALL;                                  ///< see Scene
   std::vector<Segment> walls;                             ///< of the file; those of the map are not among them

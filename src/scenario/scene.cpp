@@ -14,6 +14,10 @@ void keepHeadings(const std::vector<double>& last, Scene& scene) {
   }
 }
 
+std::string nameOf(const Obstacle& obstacle, std::size_t number) {
+  return obstacle.person ? "recorded person " + std::to_string(*obstacle.person) : "obstacle " + std::to_string(number);
+}
+
 std::string overlapText(const std::string& first, const std::string& second, double depth) {
   std::ostringstream text;
   text.imbue(std::locale::classic());

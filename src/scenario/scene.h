@@ -11,6 +11,7 @@
 #include "geometry/motion_limits.h"
 #include "geometry/obstacle_path.h"
 #include "maps/free_space.h"
+#include "scenario/recorded_people.h"
 #include "scenario/robot.h"
 
 namespace crowd {
@@ -73,7 +74,8 @@ struct AgentStart {
 /// @brief A disc that follows its path and never yields.
 struct Obstacle {
   ObstaclePath path;
-  double radius = 0.0;  ///< [m]
+  double radius = 0.0;                                 ///< [m]
+  std::optional<std::uint64_t> person = std::nullopt;  ///< number in its recording of a recorded person, else absent
 };
 
 struct PopulationDescription;
@@ -91,7 +93,8 @@ struct Scene {
   Order order = Order::SIMULTANEOUS;
   std::optional<MotionLimits> motion;  ///< of all agents; without a value that of the Q-table
   std::vector<AgentStart> agents;
-  std::vector<Obstacle> obstacles;
+  std::vector<Obstacle> obstacles;       ///< the recorded people after the others
+  std::vector<RecordedPeople> recorded;  ///< where these come from
   std::vector<RobotStart> robots;
   Ends ends = Ends::ALL;
   std::vector<Segment> walls;  ///< those of the scenario file, then those of the map
@@ -110,6 +113,9 @@ struct Scene {
 /// @brief Sets the heading of each agent with `keeps_heading` to last[id], its heading at the end of the previous
 /// episode [rad]. Agents without an entry in `last` keep the heading of the scene.
 void keepHeadings(const std::vector<double>& last, Scene& scene);
+
+/// @brief The name of an obstacle of that number in messages: "obstacle 3", "recorded person 12".
+std::string nameOf(const Obstacle& obstacle, std::size_t number);
 
 /// @brief "FIRST and SECOND overlap by DEPTH m". @param depth [m]
 std::string overlapText(const std::string& first, const std::string& second, double depth);

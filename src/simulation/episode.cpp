@@ -96,7 +96,7 @@ bool Episode::findTurn() {
 bool Episode::isOver() const {
   if (world_.tick() >= scene_.max_ticks) return true;
   const bool crowd_is_done = world_.activeCount() == 0 && !population_.expectsAgents();
-  if (world_.robots().empty()) return crowd_is_done;
+  if (world_.robots().empty()) return crowd_is_done && (world_.enteredCount() > 0 || scene_.recorded.empty());
   bool has_goal = false;
   for (const Robot& robot : world_.robots()) {
     if (robot.hasGoal() && !robot.hasArrived()) return false;

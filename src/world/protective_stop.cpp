@@ -19,8 +19,9 @@ Twist clamped(const Twist& twist, const DriveLimits& limits) {
 
 }  // namespace
 
-Twist ProtectiveStop::next(const Robot& robot, const std::vector<Agent>& agents, double tick_duration) {
-  findPeople(robot, agents, tick_duration);
+Twist ProtectiveStop::next(const Robot& robot, const std::vector<Agent>& agents, const std::vector<Neighbour>& recorded,
+                           double tick_duration) {
+  findPeople(robot, agents, recorded, tick_duration);
   const DriveLimits& limits = robot.start.limits;
   const Twist wanted = clamped(robot.target, limits);
   const auto permitted = [&](double linear, double rotation) {
@@ -44,19 +45,21 @@ Twist ProtectiveStop::next(const Robot& robot, const std::vector<Agent>& agents,
   return twist;
 }
 
-void ProtectiveStop::findPeople(const Robot& robot, const std::vector<Agent>& agents, double tick_duration) {
+void ProtectiveStop::findPeople(const Robot& robot, const std::vector<Agent>& agents,
+                                const std::vector<Neighbour>& recorded, double tick_duration) {
   people_.clear();
   const DriveLimits& limits = robot.start.limits;
   const double speed = std::max(robot.twist.linear.norm(), limits.max_speed);
   // It comes to rest within this distance, because braking begins after a tick.
   const double reach =
       robot.start.footprint.reach() + speed * tick_duration + 0.5 * speed * speed / limits.max_acceleration;
-  for (const Agent& agent : agents) {
-    if (!agent.isWalking()) continue;
-    const double radius = agent.radius + agent.max_speed * tick_duration;
-    const Vector2& position = agent.pose.position;
+  const auto add = [&](const Vector2& position, double radius) {
     if ((position - robot.pose.position).norm() <= reach + radius) people_.push_back({position, radius});
+  };
+  for (const Agent& agent : agents) {
+    if (agent.isWalking()) add(agent.pose.position, agent.radius + agent.max_speed * tick_duration);
   }
+  for (const Neighbour& person : recorded) add(person.position, person.radius + person.velocity.norm() * tick_duration);
 }
 
 /// Returns whether the robot does not touch any person if it moves at this twist for a tick and then brakes.

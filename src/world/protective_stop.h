@@ -4,6 +4,7 @@
 
 #include "scenario/robot.h"
 #include "world/agent.h"
+#include "world/neighbours.h"
 
 namespace crowd {
 
@@ -20,8 +21,10 @@ class ProtectiveStop {
  public:
   /// @brief The twist of the coming tick: the greatest share of the commanded linear velocity with which the motion is
   /// free, and the commanded rotation if the robot may turn on the spot, else that share of it; rest if none is free.
-  /// @param agents of the world; those on their way count @param tick_duration [s]
-  Twist next(const Robot& robot, const std::vector<Agent>& agents, double tick_duration);
+  /// @param agents of the world; those on their way count @param recorded the recorded people who are there
+  /// @param tick_duration [s]
+  Twist next(const Robot& robot, const std::vector<Agent>& agents, const std::vector<Neighbour>& recorded,
+             double tick_duration);
 
  private:
   struct Person {
@@ -29,7 +32,8 @@ class ProtectiveStop {
     double radius = 0.0;                 // margin included [m]
   };
 
-  void findPeople(const Robot& robot, const std::vector<Agent>& agents, double tick_duration);
+  void findPeople(const Robot& robot, const std::vector<Agent>& agents, const std::vector<Neighbour>& recorded,
+                  double tick_duration);
   bool isFree(const Robot& robot, Twist twist, double tick_duration) const;
 
   std::vector<Person> people_;  // near the robot

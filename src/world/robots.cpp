@@ -111,7 +111,7 @@ std::string Robots::blockerAt(const Vector2& centre, double radius, std::optiona
   return "";
 }
 
-void Robots::beginMoves(const std::vector<Agent>& agents) {
+void Robots::beginMoves(const std::vector<Agent>& agents, const std::vector<Neighbour>& recorded) {
   sweeps_.clear();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
@@ -120,7 +120,7 @@ void Robots::beginMoves(const std::vector<Agent>& agents) {
     const Footprint& footprint = robot.start.footprint;
     if (robot.start.drive != Drive::EXTERNAL) {
       robot.twist = doesRobotYield(robot.start.yields)
-                        ? protective_stop_.next(robot, agents, tick_duration_)
+                        ? protective_stop_.next(robot, agents, recorded, tick_duration_)
                         : limitTwist(robot.start.drive, robot.start.limits, robot.twist, robot.target, tick_duration_);
       sweeps_.emplace_back(footprint, robot.pose, robot.twist, tick_duration_);
       continue;

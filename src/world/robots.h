@@ -54,7 +54,7 @@ class Robots {
   const Robot& require(RobotId id) const;
 
   /// @brief Determines the motions of the coming tick.
-  void beginMoves(const std::vector<Agent>& agents);
+  void beginMoves(const std::vector<Agent>& agents, const std::vector<Neighbour>& recorded = {});
   /// @brief Motions of robots that stand still, while an agent moves alone.
   void hold();
   /// @brief Appends the motions as solid bodies.

@@ -49,7 +49,7 @@ void World::refresh() {
   obstacle_motions_.clear();
   moving_obstacles_.clear();
   for (const Obstacle& obstacle : obstacles_) {
-    if (obstacle.path.moves()) moving_obstacles_.push_back(obstacle_motions_.size());
+    if (obstacle.path.moves()) moving_obstacles_.push_back({obstacle_motions_.size(), ABSENT});
     obstacle_motions_.push_back(obstacle.path.at(time()));
   }
   rebuildGrid();
@@ -73,7 +73,7 @@ std::string World::blockerAt(const Vector2& centre, double radius, bool agents_o
   for (const std::uint32_t body : found) {
     if (body < agents_.size() && agents_.idAt(body) == except) continue;
     if (body < agents_.size()) return "agent " + std::to_string(agents_.idAt(body));
-    if (!agents_only) return "obstacle " + std::to_string(body - agents_.size());
+    if (!agents_only) return nameOf(obstacles_[body - agents_.size()], body - agents_.size());
   }
   std::string robot = robots_.blockerAt(centre, radius - overlap, except_robot);
   if (!robot.empty() || agents_only) return robot;
@@ -88,11 +88,27 @@ void World::rebuildGrid() {
       grid_.add(agent.pose.position, agent.radius, static_cast<std::uint32_t>(i), agent.velocity);
     }
   }
+  std::size_t rank = 0;
+  auto mover = moving_obstacles_.begin();
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    const bool is_present = isPresent(obstacles_[i]);
+    if (obstacles_[i].path.moves()) (mover++)->rank = is_present ? rank : ABSENT;
+    if (!is_present) continue;
+    ++rank;
     const auto body = static_cast<std::uint32_t>(agents_.size() + i);
     grid_.add(obstacle_motions_[i].position, obstacles_[i].radius, body, obstacle_motions_[i].velocity);
   }
   grid_.build(CELL_SIZE);
+}
+
+bool World::moveObstacles() {
+  bool have_changed = false;
+  for (const MovingObstacle& mover : moving_obstacles_) {
+    const Obstacle& obstacle = obstacles_[mover.number];
+    obstacle_motions_[mover.number] = obstacle.path.at(time());
+    have_changed = have_changed || isPresent(obstacle) == (mover.rank == ABSENT);
+  }
+  return have_changed;
 }
 
 inline void World::updateGrid() {
@@ -100,10 +116,23 @@ inline void World::updateGrid() {
   for (const Agent& agent : agents_) {
     if (agent.isWalking()) grid_.move(number++, agent.pose.position, agent.velocity);
   }
-  for (const std::size_t i : moving_obstacles_) {
-    grid_.move(number + i, obstacle_motions_[i].position, obstacle_motions_[i].velocity);
+  for (const MovingObstacle& mover : moving_obstacles_) {
+    if (mover.rank == ABSENT) continue;
+    const ObstaclePath::Motion& motion = obstacle_motions_[mover.number];
+    grid_.move(number + mover.rank, motion.position, motion.velocity);
   }
   grid_.update();
+}
+
+std::vector<Neighbour> World::recordedPeople() const {
+  std::vector<Neighbour> people;
+  for (const MovingObstacle& mover : moving_obstacles_) {
+    const Obstacle& obstacle = obstacles_[mover.number];
+    const ObstaclePath::Motion& motion = obstacle_motions_[mover.number];
+    if (!obstacle.person || mover.rank == ABSENT) continue;
+    people.push_back({motion.position, motion.velocity, obstacle.radius, NeighbourKind::OBSTACLE});
+  }
+  return people;
 }
 
 void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
@@ -128,7 +157,7 @@ void World::beginStep(const std::vector<AgentAction>& actions, ThreadPool& threa
         }
       },
       ThreadPool::FEW_SHORT_ITEMS);
-  robots_.beginMoves(agents_.values());
+  robots_.beginMoves(agents_.values(), robots_.empty() ? std::vector<Neighbour>() : recordedPeople());
   if (contact_ == Contact::SOLID) computeSolidMotions(EVERY_BODY);
 }
 
@@ -172,7 +201,7 @@ void World::endTick(ThreadPool& thread_pool) {
     if (!had_turn_[i]) beginMove(agents_.nth(i), nullptr);
   }
   had_turn_.assign(agents_.size(), false);
-  robots_.beginMoves(agents_.values());
+  robots_.beginMoves(agents_.values(), robots_.empty() ? std::vector<Neighbour>() : recordedPeople());
   if (contact_ == Contact::SOLID) {
     const auto is_obstacle = [this](std::size_t body) { return body >= agents_.size(); };
     computeSolidMotions(is_obstacle);
@@ -187,8 +216,8 @@ void World::finishTick(ThreadPool& thread_pool) {
   robots_.endMoves();
   const bool are_fewer = dropDeparted();
   ++tick_;
-  for (const std::size_t i : moving_obstacles_) obstacle_motions_[i] = obstacles_[i].path.at(time());
-  are_fewer ? rebuildGrid() : updateGrid();
+  const bool are_others = moveObstacles();
+  are_fewer || are_others ? rebuildGrid() : updateGrid();
   stop_.throwIfMade();
   // Agents that arrive in this tick are still present at its end: the grid contains them during the measurements.
   std::atomic<std::size_t> arrived{0};
@@ -297,6 +326,7 @@ void World::computeSolidMotions(const Moves& moves) {
   }
   const double end = static_cast<double>(tick_ + 1) * tick_duration_;
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    if (!isPresent(obstacles_[i])) continue;
     const Vector2 way = moves(agents_.size() + i)
                             ? Vector2(obstacles_[i].path.position(end) - obstacle_motions_[i].position)
                             : Vector2::Zero();

@@ -14,6 +14,7 @@
 #include "world/agent.h"
 #include "world/agent_map.h"
 #include "world/departed_agents.h"
+#include "world/neighbours.h"
 #include "world/relative_action.h"
 #include "world/robots.h"
 #include "world/walls.h"
@@ -74,14 +75,18 @@ class World {
     return agent.perceives && (agent.isWalking() || has_just_arrived);
   }
 
+  /// @brief All obstacles, also recorded people who are not present now.
   const std::vector<Obstacle>& obstacles() const { return obstacles_; }
+  bool isPresent(const Obstacle& obstacle) const { return obstacle.path.isPresent(time()); }
+  /// @brief The recorded people who are present, in `map`.
+  std::vector<Neighbour> recordedPeople() const;
   const Walls& walls() const { return walls_; }
   /// @brief Number of changes of walls and obstacles at rest, for caches of what depends on them.
   std::uint64_t layoutChanges() const { return layout_changes_; }
   const Robots& robots() const { return robots_; }
   Robots& robots() { return robots_; }
-  /// @brief The agents on their way and the obstacles. Body i is the agent at position i of agents(), or else an
-  /// obstacle.
+  /// @brief The agents on their way and the obstacles that are present. Body i is the agent at position i of agents(),
+  /// or else an obstacle.
   const NeighbourGrid& grid() const { return grid_; }
   /// @brief What overlaps a disc at a place [m], `map`, such as "agent 3"; empty if nothing does.
   /// @param agents_only obstacles and walls do not count @param except an agent, or a robot, that does not count
@@ -98,7 +103,7 @@ class World {
   /// computed, but not yet carried out.
   void beginStep(const std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
   /// @brief Between beginStep() and endStep() of a solid world: the intended motions of the agents on their way, in the
-  /// order of their ids, then of the obstacles, then of the robots.
+  /// order of their ids, then of the obstacles that are present, then of the robots.
   const std::vector<SolidMotion::Disc>& solidDiscs() const { return discs_; }
   /// @brief The outcomes of these motions; endStep() carries out those that are here then.
   std::vector<SolidMotion::Outcome>& solidOutcomes() { return solid_motion_.outcomes(); }
@@ -131,6 +136,8 @@ class World {
   /// Whether the rim of another body, or a wall, is within the distance of the agent's centre.
   bool isAnythingWithin(double distance, std::size_t position) const;
   void rebuildGrid();
+  /// Moves the obstacles to where they are now. @return whether some have appeared or are gone
+  bool moveObstacles();
   /// Moves all bodies in the grid, which must contain them already.
   void updateGrid();
   /// Makes obstacles and grid what they are after a change.
@@ -154,7 +161,12 @@ class World {
   std::size_t active_count_ = 0;
 
   std::vector<ObstaclePath::Motion> obstacle_motions_;  // at the present time
-  std::vector<std::size_t> moving_obstacles_;
+  struct MovingObstacle {
+    std::size_t number = 0;
+    std::size_t rank = ABSENT;  // among the obstacles in the grid
+  };
+  static constexpr std::size_t ABSENT = static_cast<std::size_t>(-1);
+  std::vector<MovingObstacle> moving_obstacles_;
   NeighbourGrid grid_;
   std::vector<SolidMotion::Disc> discs_;  // scratch
   SolidMotion solid_motion_;

@@ -122,7 +122,10 @@ void WorldEditor::noteLayout(const WorldChange& change) {
 
 const Obstacle& WorldEditor::requireObstacle(std::size_t number) const {
   if (number >= world_.obstacles_.size()) throw InputError("there is no obstacle " + std::to_string(number));
-  return world_.obstacles_[number];
+  const Obstacle& obstacle = world_.obstacles_[number];
+  if (!obstacle.person) return obstacle;
+  throw InputError("obstacle " + std::to_string(number) + " is " + nameOf(obstacle, number) +
+                   ", who cannot be moved or removed");
 }
 
 std::size_t WorldEditor::spawnObstacle(const Vector2& position, const Vector2& velocity, double radius) {

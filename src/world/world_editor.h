@@ -20,8 +20,8 @@ struct WorldChange {
 };
 
 /// @brief Changes a world between two ticks. Each function checks all that it is given before it changes anything, and
-/// throws InputError if a number is out of range, a place is taken, or there is no such agent, obstacle, wall or robot.
-/// Whoever knows more about the world derives from it, and may refuse changes, too.
+/// throws InputError if a number is out of range, a place is taken, there is no such agent, obstacle, wall or robot, or
+/// an obstacle is a recorded person. Whoever knows more about the world derives from it, and may refuse changes, too.
 class WorldEditor {
  public:
   explicit WorldEditor(World& world) : world_(world) {}
@@ -70,6 +70,7 @@ class WorldEditor {
   void requireFreePlace(const Vector2& centre, double radius, bool agents_only,
                         std::optional<AgentId> except = std::nullopt,
                         std::optional<RobotId> except_robot = std::nullopt) const;
+  /// An obstacle that may be changed: recorded people may not.
   const Obstacle& requireObstacle(std::size_t number) const;
   void replaceAgent(const Agent& agent, bool new_goal);
   void replaceObstacles(std::vector<Obstacle> obstacles);

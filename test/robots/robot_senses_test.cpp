@@ -33,7 +33,7 @@ TEST(RobotSenses, SeePeopleRobotsAndWalls) {
   EXPECT_FLOAT_EQ(ranges[0], 2.7F);
   EXPECT_FLOAT_EQ(ranges[270], 4.0F);
   EXPECT_TRUE(std::isinf(ranges[90]));
-  EXPECT_EQ(senses.visibleAgents(world, ROBOT), std::vector<bool>{true});
+  EXPECT_EQ(senses.visibleBodies(world, ROBOT), std::vector<bool>{true});
 }
 
 TEST(RobotSenses, DoNotSeePeopleBehindWalls) {
@@ -42,7 +42,24 @@ TEST(RobotSenses, DoNotSeePeopleBehindWalls) {
   const World world(scene);
   RobotSenses senses(scene);
   EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[180], 1.0F);
-  EXPECT_EQ(senses.visibleAgents(world, ROBOT), std::vector<bool>{false});
+  EXPECT_EQ(senses.visibleBodies(world, ROBOT), std::vector<bool>{false});
+}
+
+TEST(RobotSenses, SeeRecordedPeopleWhileTheyAreThere) {
+  Scene scene = makeScene();
+  const auto track = std::make_shared<const Track>(Track({0.0, 0.5}, {{0.0, 3.0}, {0.0, 3.0}}));
+  scene.obstacles = {{ObstaclePath::recorded(track), 0.25, 12}};
+  World world(scene);
+  RobotSenses senses(scene);
+  EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[270], 2.75F);
+  EXPECT_EQ(senses.visibleBodies(world, ROBOT), (std::vector<bool>{true, true}));
+  for (int tick = 0; tick < 2; ++tick) world.step({});
+  EXPECT_TRUE(std::isinf(senses.ranges(world, ROBOT)[270]));
+  EXPECT_EQ(senses.visibleBodies(world, ROBOT), (std::vector<bool>{true, false}));
+  // The legs of a person who looks east: 0.1 m to the north and to the south.
+  scene.robots[ROBOT].scan.people = SeenPeople::LEGS;
+  RobotSenses others(scene);
+  EXPECT_FLOAT_EQ(others.ranges(World(scene), ROBOT)[270], 2.84F);
 }
 
 TEST(RobotSenses, ExactOdometryIsTheMotionFromTheStart) {
@@ -100,7 +117,7 @@ TEST(RobotSenses, AChangeOfTheWorldWithinATickIsSeenAfterForgetScans) {
   EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[180], 1.75F);
   senses.forgetScans();
   EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[180], 1.0F);
-  EXPECT_EQ(senses.visibleAgents(world, ROBOT), std::vector<bool>{false});
+  EXPECT_EQ(senses.visibleBodies(world, ROBOT), std::vector<bool>{false});
 }
 
 /// Covariances after four steps of 0.5 m along x, without drawn errors that change the step.

@@ -214,8 +214,9 @@ class ReplayTest(LaunchTestCase):
 
     def test_shows_a_recording_as_markers(self):
         """Without RViz the launch ends with the recording."""
-        markers = self.listen('markers', MarkerArray)
-        rospy.set_param(f'{self.namespace}/crowd_markers/rate', -1.0)  # left over from an earlier launch; has no effect
+        markers = self.listen('recording/markers', MarkerArray)
+        # Left over from an earlier launch; has no effect.
+        rospy.set_param(f'{self.namespace}/recording/crowd_markers/rate', -1.0)
         launched = self.launch('replay.launch', bag=self.record())
 
         def tip_of_a_path(array):

@@ -79,6 +79,66 @@ class WalkTest(WalkTestCase):
         self.check('')
 
 
+RECORDED = """
+name: recorded
+duration: 12
+goal_tolerance: 0.3
+agents:
+  - {count: 4, position: {box: [[-4, -4], [-2, 4]]}, goal: {box: [[2, -4], [4, 4]]}, speed: [1.0, 1.5], radius: 0.2}
+robots:
+  - {name: cart, position: [0, 6], goal: [0, -6], radius: 0.3, max_speed: 1}
+recorded:
+  - {file: walk.csv, offset: 0.5}
+"""
+# Person 12 comes at 0.5 s and leaves at 4.5 s, person 3 comes at 6.5 s.
+RECORDING = 'instance,tick,agent,x,y\n0,0,12,0,-5\n0,20,12,0,-2\n0,40,12,1,1\n0,60,3,0,5\n0,300,3,0,-7\n'
+
+
+class RecordedWalkTest(WalkTestCase):
+    """People of a recording among agents, through ROS and without."""
+
+    def test_the_same_as_without_ros(self):
+        self.write('walk.csv', RECORDING)
+        scenario = self.write('recorded.yaml', RECORDED)
+        expected = self.headless(scenario, support.ANTICIPATION_TABLE, episodes=2, seed=5)
+        self.start_learner(q_table=support.ANTICIPATION_TABLE)
+        self.assert_same_recording(self.walk(scenario, episodes=2), expected)
+
+
+class RecordedPeopleTest(ControllerTestCase):
+    """Recorded people in messages and services."""
+
+    def test_states_and_services(self):
+        self.write('walk.csv', RECORDING)
+        self.start_all(RECORDED)
+        self.walk(70)
+        there = {message.tick: message.obstacles for message in self.agents.messages}
+        self.assertEqual(there[4], [])
+        self.assertEqual({tick for tick, obstacles in there.items() if [one.person for one in obstacles] == [12]},
+                         set(range(5, 46)))
+        one = there[35][0]
+        self.assertEqual((one.obstacle, one.recorded, one.radius), (1, 1, 0.25))  # person 3 is obstacle 0
+        self.assertAlmostEqual(one.position.x, 0.5)
+        self.assertAlmostEqual(one.position.y, -0.5)
+        self.assertAlmostEqual(one.velocity.y, 1.5)
+        self.assertEqual([one.person for one in there[65]], [3])
+        self.refuse('move_obstacle', 'obstacle 0 is recorded person 3', obstacle=0, position=Point(9, 9, 0))
+        self.refuse('remove_obstacle', 'obstacle 0 is recorded person 3', obstacle=0)
+
+    def test_a_saved_scenario_goes_on(self):
+        self.write('walk.csv', RECORDING)
+        self.start_all(RECORDED)
+        here = self.walk(35).obstacles
+        response = self.do('save_scenario', file='saved.yaml')
+        self.assert_says(response.message, '0 obstacles', '2 recorded walks')
+        self.assertIn("recorded:\n  - {file: 'walk.csv', offset: -3, ", support.read_text(self.path('saved.yaml')))
+        self.do('load_scenario', scenario=self.path('saved.yaml'))
+        again = self.agents.wait(lambda state: state.episode > 0 and state.tick == 0, 'at its start').obstacles
+        self.assertEqual([one.person for one in again], [12])
+        for axis in 'xy':
+            self.assertAlmostEqual(getattr(again[0].position, axis), getattr(here[0].position, axis))
+
+
 class ServicesTest(ControllerTestCase):
     """set_route, set_gate."""
 

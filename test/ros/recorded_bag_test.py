@@ -80,9 +80,9 @@ class RecordedBagTest(LaunchTestCase, RecordingTestCase):
 
     def test_all_is_shown_again(self):
         last = self.record()
-        topics = {'scan': LaserScan, 'map': OccupancyGrid, '/tf': TFMessage}
+        topics = {'recording/scan': LaserScan, 'recording/map': OccupancyGrid, '/tf': TFMessage}
         ears = {name: self.listen(name, kind) for name, kind in topics.items()}
-        markers = self.listen('markers', MarkerArray)
+        markers = self.listen('recording/markers', MarkerArray)
         launched = self.launch('replay.launch', bag=self.path('walk.bag'), rate=2.0)
         body = (round(last.agents[0].pose.x, 3), round(last.agents[0].pose.y, 3))
         obstacle = (round(last.obstacles[0].position.x, 2), round(last.obstacles[0].position.y, 2))
@@ -93,8 +93,8 @@ class RecordedBagTest(LaunchTestCase, RecordingTestCase):
         self.assertTrue(any(places_in(array, 'robots') for array in markers.messages))
         self.assert_ends_well(launched)
         self.assertFalse(GATE & places_in(markers.messages[-1], 'walls'), 'the gate has opened')
-        self.assertGreaterEqual(len(ears['scan'].messages), 10)
-        self.assertEqual(len(ears['map'].messages), 1)
+        self.assertGreaterEqual(len(ears['recording/scan'].messages), 10)
+        self.assertEqual(len(ears['recording/map'].messages), 1)
         frames = {transform.child_frame_id for message in ears['/tf'].messages for transform in message.transforms}
         self.assertLessEqual({'odom', 'base_link'}, frames)
 

@@ -155,7 +155,8 @@ class ReplayTest(LaunchTestCase):
 
     def test_launch_file(self):
         """crowd_markers draws the people; without RViz the launch ends with the recording."""
-        markers = self.listen('markers', MarkerArray)
+        markers = self.listen('recording/markers', MarkerArray)
+        self.states = self.listen('recording/agents', AgentStates)
         launched = self.launch('replay.launch', trajectories=self.write('obsmat.txt', OBSMAT), paused='true')
 
         def has_tip(array):
@@ -165,6 +166,23 @@ class ReplayTest(LaunchTestCase):
         self.go_on()
         markers.wait(has_tip, 'with a path to the last place')
         self.assert_ends_well(launched)
+
+    def test_beside_a_demo(self):
+        """Neither ends a node of the other, and each has topics of its own."""
+        markers = {name: self.listen(name, MarkerArray) for name in ('markers', 'recording/markers')}
+        demo = self.launch('demo.launch', scenario='circle6', episodes=0)
+        markers['markers'].wait(lambda array: array.markers, 'of the demo')
+        self.states = self.listen('recording/agents', AgentStates)
+        replay = self.launch('replay.launch', trajectories=self.write('obsmat.txt', OBSMAT), paused='true')
+        markers['recording/markers'].wait_connected()
+        self.go_on()
+        markers['recording/markers'].wait(lambda array: array.markers, 'of the replay')
+        self.assert_ends_well(replay)
+        shown = len(markers['markers'].messages)
+        support.wait_for(lambda: len(markers['markers'].messages) > shown + 5, 'the demo to go on')
+        self.assertEqual(demo.stop(), 0)
+        self.assert_no_complaint(demo, 'WARN|ERROR|FATAL')
+        self.assertNotIn('has died', demo.output())
 
     def test_bad_parameters(self):
         for parameters, words in (

@@ -4,9 +4,11 @@ import os
 import re
 import subprocess
 
+import numpy
 import pytest
 from crowd_drawing.errors import InputError
-from crowd_recordings.formats import read_recording, read_shown
+from crowd_drawing.files import read_scene
+from crowd_recordings.formats import read_recording, read_shown, recorded_people
 from programs import CIRCLE6, NEAREST_TABLE, PATIENCE, assert_says, in_package, read_text
 
 CSV = 'instance,tick,agent,x,y\n0,0,0,1.5,2\n0,0,1,-3,0.1\n0,1,0,1.6,2\n1,0,0,9,9\n'
@@ -182,3 +184,22 @@ class ShownTest:
         walk = runner.write('walk.csv', 'instance,tick,agent,x,y\n0,0,3,1,2\n')
         with pytest.raises(InputError, match='has an agent 3, but .* has 1 agents'):
             read_shown(walk, scenario)
+
+    def test_recorded_people(self, runner):
+        """The keys of an entry under `recorded` mean what they mean to `evaluate`."""
+        runner.write('walk.csv', 'instance,tick,agent,x,y\n3,0,2,0,0\n3,20,2,2,0\n3,10,7,0,5\n3,30,7,2,5\n4,0,9,8,8\n')
+        scene = read_scene(runner.write('street.yaml', '''
+name: street
+recorded:
+  - {file: walk.csv, from: 0.5, to: 1.5, offset: 10, shift: [100, 1]}
+  - {file: walk.csv, people: [7], frame_rate: 5, radius: 0.3}
+  - {file: walk.csv, instance: 4, from: 1}
+'''), 0)
+        first, second, third = recorded_people(scene)
+        for (person, track, radius), number, size, times, places in (
+                (first, 2, 0.25, [10, 11], [[100.5, 1], [101.5, 1]]),
+                (second, 7, 0.25, [10.5, 11], [[100, 6], [100.5, 6]]),
+                (third, 7, 0.3, [2, 6], [[0, 5], [2, 5]])):
+            assert (person, radius) == (number, size)
+            assert track.times == pytest.approx(times)
+            assert track.places == pytest.approx(numpy.array(places))

@@ -11,10 +11,11 @@ enum class FileKinds { REGULAR, REGULAR_OR_PIPE };
 
 /// @brief The largest files that are read [bytes].
 struct FileLimits {
-  static constexpr std::uint64_t YAML = 100'000'000;       ///< scenarios, configurations, descriptions of maps
-  static constexpr std::uint64_t IMAGE = 400'000'000;      ///< as many as a P2 image with the most cells of a map has
-  static constexpr std::uint64_t Q_TABLE = 4'000'000'000;  ///< more than the largest practical state set needs
-  static constexpr std::uint64_t ANY = 16'000'000'000;     ///< checkpoints, which may have a table for every agent
+  static constexpr std::uint64_t YAML = 100'000'000;         ///< scenarios, configurations, descriptions of maps
+  static constexpr std::uint64_t IMAGE = 400'000'000;        ///< as many as a P2 image with the most cells of a map has
+  static constexpr std::uint64_t RECORDING = 1'000'000'000;  ///< more than lines of the most positions need
+  static constexpr std::uint64_t Q_TABLE = 4'000'000'000;    ///< more than the largest practical state set needs
+  static constexpr std::uint64_t ANY = 16'000'000'000;       ///< checkpoints, which may have a table for every agent
 };
 
 /// @brief Returns the content of a file.

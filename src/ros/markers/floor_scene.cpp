@@ -71,6 +71,7 @@ Scene sceneOnFloor(const Episode& episode, bool with_map_file) {
   scene.agents = std::move(agents);
   scene.obstacles = world.obstacles();
   for (Obstacle& obstacle : scene.obstacles) obstacle.path = obstacle.path.after(world.time());
+  for (RecordedPeople& entry : scene.recorded) entry.offset -= world.time();
   takeWalls(world, with_map_file, scene);
   scene.robots.clear();
   for (const Robot& robot : world.robots()) scene.robots.push_back(startOf(robot));
@@ -78,8 +79,12 @@ Scene sceneOnFloor(const Episode& episode, bool with_map_file) {
 }
 
 std::string countsText(const Scene& scene) {
-  return counted(scene.agents.size(), "agent") + ", " + counted(scene.obstacles.size(), "obstacle") + ", " +
-         counted(scene.own_walls, "wall") + (scene.robots.empty() ? "" : ", " + counted(scene.robots.size(), "robot"));
+  const auto is_recorded = [](const Obstacle& obstacle) { return obstacle.person.has_value(); };
+  const auto recorded =
+      static_cast<std::size_t>(std::count_if(scene.obstacles.begin(), scene.obstacles.end(), is_recorded));
+  return counted(scene.agents.size(), "agent") + ", " + counted(scene.obstacles.size() - recorded, "obstacle") + ", " +
+         (recorded == 0 ? "" : counted(recorded, "recorded walk") + ", ") + counted(scene.own_walls, "wall") +
+         (scene.robots.empty() ? "" : ", " + counted(scene.robots.size(), "robot"));
 }
 
 }  // namespace crowd

@@ -93,8 +93,19 @@ Marker drawContacts(const AgentStates& states) {
   return marker.finish();
 }
 
-Marker drawHeadings(const AgentStates& states, bool figures) {
-  TriangleMarker marker(marker_style::HEADINGS, 0, Layer::HEADINGS);
+Marker drawRecordedBodies(const AgentStates& people, bool figures) {
+  TriangleMarker marker(marker_style::RECORDED, 1, Layer::BODIES);
+  const std::vector<Vector2> circle = circleFor(people.agents.size());
+  const marker_style::Colour colour =
+      figures ? marker_style::paler(marker_style::ofRecorded()) : marker_style::ofRecorded();
+  for (const AgentState& person : people.agents) {
+    if (isOnFloor(person)) marker.addDisc(poseOf(person).position, person.radius, circle, colour);
+  }
+  return marker.finish();
+}
+
+Marker drawHeadings(const AgentStates& states, bool figures, const char* marker_namespace) {
+  TriangleMarker marker(marker_namespace, 0, Layer::HEADINGS);
   for (const AgentState& agent : states.agents) {
     if (!figures && isOnFloor(agent)) marker.addArrow(poseOf(agent), agent.radius, marker_style::ofHeading());
   }
@@ -114,7 +125,7 @@ Marker drawObstacles(const AgentStates& states) {
   TriangleMarker marker(marker_style::OBSTACLES, 0, Layer::OBSTACLES);
   const std::vector<Vector2> circle = circleFor(states.obstacles.size());
   for (const social_crowd::ObstacleState& obstacle : states.obstacles) {
-    if (!isDrawable(obstacle.position) || !isDrawable(obstacle.radius)) continue;
+    if (obstacle.recorded != 0 || !isDrawable(obstacle.position) || !isDrawable(obstacle.radius)) continue;
     marker.addDisc(fromPoint(obstacle.position), obstacle.radius, circle, marker_style::ofObstacle());
   }
   return marker.finish();

@@ -10,6 +10,7 @@
 #include "learning/states/obstacle_classes.h"
 #include "ros/markers/marker_paths.h"
 #include "ros/markers/marker_shapes.h"
+#include "ros/markers/marker_style.h"
 
 /// Pure functions from messages to markers: one or two markers of each kind for any number of agents. Agents that do
 /// not walk have no body, heading and radii. Values that are not finite are not drawn.
@@ -20,9 +21,13 @@ visualization_msgs::Marker drawBodies(const social_crowd::AgentStates& states, b
 /// @brief Red rims of the bodies that are in contact; in the namespace of the bodies.
 visualization_msgs::Marker drawContacts(const social_crowd::AgentStates& states);
 /// @brief Arrows on the bodies. @param figures whether people stand on them, who have no arrows
-visualization_msgs::Marker drawHeadings(const social_crowd::AgentStates& states, bool figures);
+visualization_msgs::Marker drawHeadings(const social_crowd::AgentStates& states, bool figures,
+                                        const char* marker_namespace = marker_style::HEADINGS);
+/// @brief The same as drawBodies() for recorded people.
+visualization_msgs::Marker drawRecordedBodies(const social_crowd::AgentStates& people, bool figures);
 /// @brief Crosses in the agents' colours; also of agents that have arrived.
 visualization_msgs::Marker drawGoals(const social_crowd::AgentStates& states);
+/// @brief The obstacles that are not recorded people.
 visualization_msgs::Marker drawObstacles(const social_crowd::AgentStates& states);
 visualization_msgs::Marker drawWalls(const std::vector<social_crowd::Wall>& walls);
 

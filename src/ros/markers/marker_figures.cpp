@@ -20,10 +20,10 @@ constexpr std::array<const char*, 2> BUILDS = {"broad", "slim"};
 constexpr std::array<const char*, marker_style::FIGURE_PARTS> PARTS = {"head", "shirt", "dark"};
 constexpr double BODY_RADIUS = 0.25;  // of a person of the meshes' width [m]
 
-Marker markerOf(std::uint32_t agent, std::size_t part) {
+Marker markerOf(std::uint32_t agent, std::size_t part, WalkingFigures::Of people) {
   Marker marker;
   marker.header.frame_id = names::MAP_FRAME;
-  marker.ns = marker_style::FIGURES;
+  marker.ns = people == WalkingFigures::Of::AGENTS ? marker_style::FIGURES : marker_style::RECORDED_FIGURES;
   marker.id = static_cast<int>(agent * PARTS.size() + part);
   return marker;
 }
@@ -34,15 +34,17 @@ std::string meshOf(std::uint32_t agent, std::size_t part, int frame) {
   return mesh + ".stl";
 }
 
-Marker drawPart(const AgentState& agent, std::size_t part, int frame) {
-  Marker marker = markerOf(agent.agent, part);
+Marker drawPart(const AgentState& agent, std::size_t part, int frame, WalkingFigures::Of people) {
+  Marker marker = markerOf(agent.agent, part, people);
   marker.type = Marker::MESH_RESOURCE;
   marker.mesh_resource = meshOf(agent.agent, part, frame);
   marker.pose.position = toPoint({agent.pose.x, agent.pose.y});
   marker.pose.orientation = toQuaternion(agent.pose.theta);
   marker.scale.x = marker.scale.y = agent.radius / BODY_RADIUS;
   marker.scale.z = marker_style::figureHeight(agent.agent);
-  marker.color = marker_style::ofFigure(static_cast<FigurePart>(part), agent.agent);
+  const bool is_dressed = people == WalkingFigures::Of::AGENTS || static_cast<FigurePart>(part) == FigurePart::HEAD;
+  marker.color =
+      is_dressed ? marker_style::ofFigure(static_cast<FigurePart>(part), agent.agent) : marker_style::ofRecorded();
   return marker;
 }
 
@@ -66,11 +68,12 @@ void WalkingFigures::draw(const AgentStates& states, bool shown, bool whole, vis
     leaving_.erase(agent.agent);
     shown_.insert(agent.agent);
     const int frame = cycles_.frameOf(agent.agent);
-    for (std::size_t part = 0; part < PARTS.size(); ++part) array.markers.push_back(drawPart(agent, part, frame));
+    for (std::size_t part = 0; part < PARTS.size(); ++part)
+      array.markers.push_back(drawPart(agent, part, frame, people_));
   }
   for (const std::uint32_t agent : leaving_) {
     for (std::size_t part = 0; part < PARTS.size(); ++part) {
-      array.markers.push_back(markerOf(agent, part));
+      array.markers.push_back(markerOf(agent, part, people_));
       array.markers.back().action = Marker::DELETE;
     }
   }

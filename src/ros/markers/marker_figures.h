@@ -16,6 +16,10 @@ namespace crowd {
 /// Used by MarkerScene in the thread of crowd_markers.
 class WalkingFigures {
  public:
+  enum class Of { AGENTS, RECORDED };  ///< recorded people, whose numbers are those of their obstacles
+
+  explicit WalkingFigures(Of people = Of::AGENTS) : people_(people) {}
+
   /// @brief Takes the state after each tick, so that the figures step with the distance walked, also while not drawn.
   void take(const social_crowd::AgentStates& states);
   /// @brief Forgets how far the agents have walked.
@@ -28,6 +32,7 @@ class WalkingFigures {
   void draw(const social_crowd::AgentStates& states, bool shown, bool whole, visualization_msgs::MarkerArray& array);
 
  private:
+  Of people_;
   WalkingCycles cycles_;
   std::set<std::uint32_t> shown_;    // agents with a figure
   std::set<std::uint32_t> leaving_;  // agents whose figure is being deleted

@@ -157,6 +157,7 @@ void MarkerScene::show(const AgentStates::ConstPtr& states) {
     if (decision_ != nullptr && decision_->tick > states->tick) decision_.reset();
     paths_.clear();
     figures_.clear();
+    recorded_.clear();
     most_walkers_ = 0;
   }
   states_ = states;
@@ -166,6 +167,7 @@ void MarkerScene::show(const AgentStates::ConstPtr& states) {
     if (hasPlace(agent)) paths_.add(agent.agent, {agent.pose.x, agent.pose.y});
   }
   figures_.take(*states);
+  recorded_.take(*states);
   changed_ = true;
 }
 
@@ -256,6 +258,7 @@ visualization_msgs::MarkerArray MarkerScene::draw(bool whole) {
   if (whole || map_changed_) array.markers.push_back(map_);
   drawValues(array);
   figures_.draw(*states_, figures, whole, array);
+  recorded_.draw(figures, whole, array);
   drawPaths(paths_, Walkers::AGENTS, whole, array);
   if (!robots_->robots.empty() || robot_paths_.isUnsettled()) {
     for (const auto& draw : {drawRobots, drawRobotHeadings, drawRobotContacts, drawRobotGoals}) {

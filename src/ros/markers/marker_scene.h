@@ -20,6 +20,7 @@
 #include "learning/states/state_set.h"
 #include "ros/markers/marker_figures.h"
 #include "ros/markers/marker_paths.h"
+#include "ros/markers/marker_recorded.h"
 #include "ros/markers/marker_values.h"
 #include "ros/messages/tick_messages.h"
 #include "world/perception.h"
@@ -116,6 +117,7 @@ class MarkerScene {
   WalkedPaths paths_;
   std::size_t most_walkers_ = 0;  // at a time in the episode
   WalkingFigures figures_;
+  RecordedDrawing recorded_;
   social_crowd::RobotStates::ConstPtr robots_;  // never null
   WalkedPaths robot_paths_;
   bool changed_ = false;

@@ -146,6 +146,7 @@ Colour ofContact() { return make(0.9, 0.0, 0.05); }
 Colour ofRobot() { return make(0.2, 0.14, 0.42); }
 Colour ofHeading() { return make(1.0, 1.0, 1.0); }
 Colour ofObstacle() { return make(0.42, 0.44, 0.47); }
+Colour ofRecorded() { return make(0.12, 0.13, 0.16); }
 Colour ofWall() { return make(0.25, 0.27, 0.3); }
 
 Colour ofCell(bool occupied) { return occupied ? make(0.5, 0.5, 0.5) : make(0.87, 0.89, 0.88); }

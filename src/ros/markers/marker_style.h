@@ -24,6 +24,8 @@ constexpr const char* VALUES = "values";
 constexpr const char* VISITS = "visits";
 constexpr const char* ROBOTS = "robots";
 constexpr const char* FIGURES = "figures";
+constexpr const char* RECORDED = "recorded";
+constexpr const char* RECORDED_FIGURES = "recorded_figures";
 
 /// @brief Drawing order, lowest first.
 enum class Layer {
@@ -98,6 +100,8 @@ Colour ofContact();
 Colour ofRobot();
 Colour ofHeading();
 Colour ofObstacle();
+/// @brief Colour of recorded people: nearly black.
+Colour ofRecorded();
 Colour ofWall();
 /// @brief Colour of the cells of a map that are not free. @param occupied else unknown
 Colour ofCell(bool occupied);

@@ -38,9 +38,13 @@ void toMessages(const AgentMap<Agent>& agents, std::vector<social_crowd::AgentSt
 
 std::vector<social_crowd::ObstacleState> obstacleStates(const World& world) {
   std::vector<social_crowd::ObstacleState> states;
-  for (const Obstacle& obstacle : world.obstacles()) {
+  for (std::size_t i = 0; i < world.obstacles().size(); ++i) {
+    const Obstacle& obstacle = world.obstacles()[i];
+    if (!world.isPresent(obstacle)) continue;
     social_crowd::ObstacleState state;
-    state.obstacle = static_cast<std::uint32_t>(states.size());
+    state.obstacle = static_cast<std::uint32_t>(i);
+    state.recorded = obstacle.person ? 1 : 0;
+    state.person = obstacle.person.value_or(0);
     state.position = toPoint(obstacle.path.position(world.time()));
     state.velocity = toVector3(obstacle.path.velocity(world.time()));
     state.radius = obstacle.radius;

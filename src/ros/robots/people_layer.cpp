@@ -80,6 +80,9 @@ void PeopleLayer::take(const social_crowd::AgentStates& message) {
     if (agent.status != social_crowd::AgentState::WALKING) continue;
     people.people.push_back({toVector(agent.pose), toVector(agent.velocity)});
   }
+  for (const social_crowd::ObstacleState& obstacle : message.obstacles) {
+    if (obstacle.recorded != 0) people.people.push_back({toVector(obstacle.position), toVector(obstacle.velocity)});
+  }
   keep(std::move(people));
 }
 

@@ -14,16 +14,41 @@
 namespace crowd {
 namespace {
 
+/// A person as messages have it.
+struct SeenPerson {
+  std::string name;
+  Pose pose;
+  Vector2 velocity;
+};
+
 #ifdef SOCIAL_CROWD_PEOPLE_MSGS
-people_msgs::Person toPerson(const Agent& agent) {
+people_msgs::Person toPerson(const SeenPerson& seen) {
   people_msgs::Person person;
-  person.name = std::to_string(agent.id);
-  person.position = toPoint(agent.pose.position);
-  person.velocity = toPoint(agent.velocity);
+  person.name = seen.name;
+  person.position = toPoint(seen.pose.position);
+  person.velocity = toPoint(seen.velocity);
   person.reliability = 1.0;
   return person;
 }
 #endif
+
+/// @param visible agents by position, then obstacles; null: all are
+std::vector<SeenPerson> peopleIn(const World& world, const std::vector<bool>* visible) {
+  std::vector<SeenPerson> people;
+  for (std::size_t i = 0; i < world.agents().size(); ++i) {
+    const Agent& agent = world.agents().nth(i);
+    if (!agent.isWalking() || (visible != nullptr && !(*visible)[i])) continue;
+    people.push_back({std::to_string(agent.id), agent.pose, agent.velocity});
+  }
+  for (std::size_t i = 0; i < world.obstacles().size(); ++i) {
+    const Obstacle& obstacle = world.obstacles()[i];
+    const bool is_hidden = visible != nullptr && !(*visible)[world.agents().size() + i];
+    if (!obstacle.person || !world.isPresent(obstacle) || is_hidden) continue;
+    const PathMotion motion = obstacle.path.at(world.time());
+    people.push_back({nameOf(obstacle, i), {motion.position, bearingOf(motion.velocity)}, motion.velocity});
+  }
+  return people;
+}
 
 }  // namespace
 
@@ -104,24 +129,20 @@ void RobotTopics::publishPeople(const World& world, RobotSenses& senses, const r
   const bool wants_poses = people_poses_.getNumSubscribers() > 0;
   const bool wants_people = people_ && people_.getNumSubscribers() > 0;
   if (!wants_poses && !wants_people) return;
-  const std::vector<bool>* visible = visible_people_only_ ? &senses.visibleAgents(world, id_) : nullptr;
-  std::vector<const Agent*> agents;
-  for (std::size_t i = 0; i < world.agents().size(); ++i) {
-    const Agent& agent = world.agents().nth(i);
-    if (agent.isWalking() && (visible == nullptr || (*visible)[i])) agents.push_back(&agent);
-  }
+  const std::vector<bool>* visible = visible_people_only_ ? &senses.visibleBodies(world, id_) : nullptr;
+  const std::vector<SeenPerson> seen = peopleIn(world, visible);
   const std_msgs::Header header = this->header(names::MAP_FRAME, now);
   if (wants_poses) {
     geometry_msgs::PoseArray poses;
     poses.header = header;
-    for (const Agent* agent : agents) poses.poses.push_back(toMessage(agent->pose));
+    for (const SeenPerson& person : seen) poses.poses.push_back(toMessage(person.pose));
     people_poses_.publish(poses);
   }
 #ifdef SOCIAL_CROWD_PEOPLE_MSGS
   if (wants_people) {
     people_msgs::People people;
     people.header = header;
-    for (const Agent* agent : agents) people.people.push_back(toPerson(*agent));
+    for (const SeenPerson& person : seen) people.people.push_back(toPerson(person));
     people_.publish(people);
   }
 #endif

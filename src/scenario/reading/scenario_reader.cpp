@@ -9,6 +9,7 @@
 #include "scenario/reading/group_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/population_reader.h"
+#include "scenario/reading/recorded_reader.h"
 #include "scenario/reading/region_reader.h"
 #include "scenario/reading/robot_reader.h"
 #include "scenario/reading/scenario_map.h"
@@ -107,12 +108,12 @@ void requireFewBodies(const YamlMap& map, const std::string& key, const Groups& 
                "expected at most " + std::to_string(limits::BODIES) + " in all, got " + std::to_string(count));
 }
 
-/// Reads `agents`; a scenario with sources or robots may have none.
+/// Reads `agents`; a scenario with sources, robots or recorded people may have none.
 void readCrowd(const YamlMap& map, const Units& units, const PopulationDescription& population, Scenario& scenario) {
   const auto read = [&](const YAML::Node& entry, const YamlPlace& at) {
     return readAgents(entry, at, units, population);
   };
-  const bool optional = !population.sources.empty() || !scenario.robots.empty();
+  const bool optional = !population.sources.empty() || !scenario.robots.empty() || !scenario.recorded.empty();
   scenario.agents =
       readList<AgentGroup>(optional ? map.find("agents") : map.need("agents"), map.placeOf("agents"), read);
   if (scenario.agents.empty() && !optional) {
@@ -122,11 +123,11 @@ void readCrowd(const YamlMap& map, const Units& units, const PopulationDescripti
 }
 
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
-  const YamlMap map(node, place,
-                    {"name",    "units",       "tick",        "duration", "goal_tolerance", "collision_radius",
-                     "contact", "order",       "seed",        "agents",   "obstacles",      "walls",
-                     "map",     "free_radius", "way_finding", "routes",   "sources",        "sinks",
-                     "queues",  "gates",       "robots",      "ends",     "motion",         "groups"});
+  const YamlMap map(
+      node, place,
+      {"name",   "units",     "tick",   "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
+       "agents", "obstacles", "walls",  "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
+       "queues", "gates",     "robots", "ends",     "motion",         "groups",           "recorded"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -150,6 +151,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   if (scenario.ends == Ends::ROBOTS && scenario.robots.empty()) {
     throwProblem(map.placeOf("ends"), map.need("ends"), "there are no robots");
   }
+  scenario.recorded = readRecorded(map, scenario.tick_duration);
   readCrowd(map, units, population, scenario);
   scenario.groups = readGroups(map);
   resolveGroups(scenario, map.place());

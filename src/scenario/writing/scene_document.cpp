@@ -38,7 +38,9 @@ std::string motionOf(const ObstaclePath& path) {
          pointsText({path.points().begin() + 1, path.points().end()}) + ", speed: " + toText(path.speed());
 }
 
+/// Recorded people are read from their recording again.
 std::string entryOf(const Obstacle& obstacle) {
+  if (obstacle.person) return "";
   return "  - {position: " + pointText(obstacle.path.position(0.0)) + ", radius: " + toText(obstacle.radius) +
          motionOf(obstacle.path) + "}\n";
 }
@@ -88,11 +90,36 @@ double largestRadius(const Scene& scene) {
   return radius;
 }
 
-std::string mapText(const Scene& scene, const std::string& folder) {
+/// The path of a file, as a document in a folder names it.
+std::string pathText(const std::string& file, const std::string& folder) {
   namespace fs = std::filesystem;
+  return quotedYaml(fs::proximate(fs::absolute(file), fs::absolute(folder)).string());
+}
+
+std::string entryOf(const RecordedPeople& entry, const std::string& folder) {
+  std::string text = "  - {file: " + pathText(entry.file, folder);
+  if (entry.instance) text += ", instance: " + std::to_string(*entry.instance);
+  if (entry.frame_rate) text += ", frame_rate: " + toText(*entry.frame_rate);
+  if (entry.from != 0.0) text += ", from: " + toText(entry.from);
+  if (entry.to) text += ", to: " + toText(*entry.to);
+  if (entry.offset != 0.0) text += ", offset: " + toText(entry.offset);
+  std::string people;
+  for (const std::uint64_t person : entry.people) people += (people.empty() ? "" : ", ") + std::to_string(person);
+  if (!people.empty()) text += ", people: [" + people + "]";
+  if (!entry.shift.isZero(0.0)) text += ", shift: " + pointText(entry.shift);
+  return text + ", radius: " + toText(entry.radius) + "}\n";
+}
+
+std::string recordedText(const Scene& scene, const std::string& folder) {
+  std::string text;
+  for (const RecordedPeople& entry : scene.recorded) text += entryOf(entry, folder);
+  return text.empty() ? "" : "recorded:\n" + text;
+}
+
+std::string mapText(const Scene& scene, const std::string& folder) {
   if (scene.map_file.empty()) return "";
   const bool differs = scene.free_radius != largestRadius(scene);
-  return "map: " + quotedYaml(fs::proximate(fs::absolute(scene.map_file), fs::absolute(folder)).string()) + "\n" +
+  return "map: " + pathText(scene.map_file, folder) + "\n" +
          (differs ? "free_radius: " + toText(scene.free_radius) + "\n" : "");
 }
 
@@ -117,8 +144,8 @@ std::string toDocument(const Scene& scene, const std::string& folder) {
               : "") +
          (scene.seed != 0 ? "seed: " + std::to_string(scene.seed) + "\n" : "") +
          (scene.way_finding ? "" : "way_finding: false\n") + mapText(scene, folder) + agentsText(scene) +
-         groupsText(scene) + section("obstacles", scene.obstacles) + wallsText(scene) + robotsText(scene) +
-         (scene.population ? populationText(*scene.population) : "");
+         groupsText(scene) + section("obstacles", scene.obstacles) + recordedText(scene, folder) + wallsText(scene) +
+         robotsText(scene) + (scene.population ? populationText(*scene.population) : "");
 }
 
 }  // namespace crowd
