@@ -6,10 +6,11 @@ from crowd_tables.body import with_body
 from . import door_flow, fundamental_diagram
 
 DESCRIPTION = '''Measures speed against density in corridors and the flow through doors, and writes tables
-(CSV) and figures; or copies a Q-table and gives its agents other bodies: mass, gait and a time gap.'''
+(CSV) and figures; or copies a Q-table and gives its agents other bodies: mass, gait, a time gap and personal space.'''
 EXAMPLES = '''examples:
   research/flows measure human.txt --evaluate .build/devel/lib/social_crowd/evaluate --data DATA --output flows
-  research/flows body anticipation.txt my_human.txt 'time_gap: 0.9, motion: {acceleration: 3, braking: 3}' '''
+  research/flows body anticipation.txt my_human.txt 'time_gap: 0.9, motion: {acceleration: 3, braking: 3}' \\
+      --personal-space 0.3'''
 
 
 def main(words=None):
@@ -25,9 +26,12 @@ def main(words=None):
     add_file(copy, 'q_table')
     add_file(copy, 'output')
     copy.add_argument('keys', help='keys of the action set after lookout: time_gap, time_gap_width, motion, gait')
+    copy.add_argument('--personal-space', type=float, default=0.0, metavar='METRES',
+                      help='of the state set (default: %(default)s)')
     arguments = parser.parse_args(words)
     if arguments.command == 'body':
-        arguments.output.write_bytes(with_body(arguments.q_table.read_bytes(), arguments.keys))
+        arguments.output.write_bytes(with_body(arguments.q_table.read_bytes(), arguments.keys,
+                                               arguments.personal_space))
         return
     speeds, doors = {}, {}
     for table in arguments.tables:

@@ -1,4 +1,4 @@
-"""Copies of Q-table files whose agents have other bodies: other keys of the action set `goal_relative`."""
+"""Copies of Q-table files whose agents have other bodies: keys of `anticipation` and `goal_relative`."""
 import re
 
 CHECKSUM = b'checksum: '
@@ -19,14 +19,18 @@ def with_line(contents, pattern, replacement):
         raise ValueError('expected a Q-table file with a valid checksum')
     body, replaced = re.subn(pattern, replacement, body, count=1, flags=re.MULTILINE)
     if replaced == 0:
-        raise ValueError('expected the action set goal_relative')
+        raise ValueError('expected the state set anticipation and the action set goal_relative')
     return body + CHECKSUM + b'%016x\n' % fnv1a(body)
 
 
-def with_body(contents, keys):
-    """Returns the contents of a Q-table file with other keys after `lookout` in its action set, such as
-    'time_gap: 0.9, time_gap_width: 0.8', in the order of the file. Throws ValueError if it is not one."""
+def with_body(contents, keys, personal_space=0.0):
+    """Returns the contents of a Q-table file with another personal space [m] in its state set, and other keys after
+    `lookout` in its action set, such as 'time_gap: 0.9, time_gap_width: 0.8', in the order of the file. Throws ValueError
+    if it is not one."""
+    space = b', personal_space: %g' % personal_space if personal_space else b''
     added = b', ' + keys.encode() if keys else b''
+    contents = with_line(contents, rb'^(state_set: \{type: anticipation,.*?)(, personal_space: [^,}]*)?\}$',
+                         lambda match: match[1] + space + b'}')
     return with_line(contents, rb'^(action_set: \{type: goal_relative,.*?, lookout: [^,}]*).*\}$',
                      lambda match: match[1] + added + b'}')
 

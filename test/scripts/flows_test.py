@@ -83,14 +83,15 @@ class DoorFlowTest:
 
 
 BODY = ('time_gap: 0.8, time_gap_width: 0.8, motion: {acceleration: 3, braking: 3}, '
-        'gait: {sway: 5, wander: 15, pace: 0.08}')
+        'gait: {sway: 5, wander: 12, pace: 0.14}')
+SPACE = 0.3
 
 
 class BodyTest:
     """The shipped table, and copies of tables whose agents have other bodies."""
 
     def test_human_has_the_values_of_anticipation(self, tmp_path):
-        main(['body', str(ANTICIPATION), str(tmp_path / 'copy.txt'), BODY])
+        main(['body', str(ANTICIPATION), str(tmp_path / 'copy.txt'), BODY, '--personal-space', str(SPACE)])
         assert (tmp_path / 'copy.txt').read_bytes() == HUMAN.read_bytes()
         assert with_body(HUMAN.read_bytes(), '') == ANTICIPATION.read_bytes()
 
