@@ -23,7 +23,9 @@ class KeyedRandom {
     ROBOT_PLACEMENT = 7,
     SENSOR = 8,
     ODOMETRY = 9,
-    GAIT = 10
+    GAIT = 10,
+    KIND = 30,
+    DISTRACTION = 31
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)

@@ -25,7 +25,7 @@ class AgentSource {
   bool isOver() const { return schedule_.isOver(); }
 
  private:
-  enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3 };
+  enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3, KIND = 4 };
 
   const PopulationDescription* population_;
   const SourceDescription* source_;

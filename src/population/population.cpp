@@ -28,10 +28,11 @@ KeyedRandom randomOf(std::uint64_t seed, Drawn what, std::uint64_t number) {
 Population::Population(const Scene& scene)
     : description_(scene.population ? scene.population : std::make_shared<const PopulationDescription>()),
       seed_(scene.population_seed),
-      places_(scene) {
+      places_(scene),
+      distraction_(scene.population_seed) {
   if (scene.way_finding) ways_.emplace(scene);
   for (const AgentStart& start : scene.agents) {
-    if (start.route || start.reaction_time > 0.0) starts_ = scene.agents;
+    if (start.route || start.reaction_time > 0.0 || pausesOf(start.kind) != nullptr) starts_ = scene.agents;
   }
   for (std::size_t i = 0; i < description_->sources.size(); ++i) {
     sources_.emplace_back(*description_, i, randomOf(seed_, SOURCE, i));
@@ -76,7 +77,14 @@ void Population::begin(World& world, RouteObserver& observer) {
   spawn(world, observer);
 }
 
+const PauseDescription* Population::pausesOf(std::int32_t kind) const {
+  if (kind == NO_KIND) return nullptr;
+  const auto& pauses = description_->kinds[static_cast<std::size_t>(kind)].pauses;
+  return pauses ? &*pauses : nullptr;
+}
+
 void Population::admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer) {
+  if (const PauseDescription* pauses = pausesOf(start.kind)) distraction_.add(id, *pauses, world.time());
   if (!start.route && start.reaction_time <= 0.0) return;
   world.stopRequest().throwIfMade();
   Member& member = members_.emplace_back();
@@ -218,6 +226,7 @@ void Population::updateAll(World& world, RouteObserver& observer) {
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_gone), members_.end());
   for (const Member& member : members_) hold(member, world);
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_done), members_.end());
+  distraction_.update(world);
   spawn(world, observer);
 }
 

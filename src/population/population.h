@@ -8,6 +8,7 @@
 
 #include "navigation/way_lengths.h"
 #include "population/agent_source.h"
+#include "population/distraction.h"
 #include "population/gate.h"
 #include "population/place_picker.h"
 #include "population/queue.h"
@@ -18,7 +19,7 @@
 
 namespace crowd {
 
-/// @brief Runs the sources, sinks, routes, queues, gates and reaction times of an episode.
+/// @brief Runs the sources, sinks, routes, queues, gates, reaction times and pauses of an episode.
 ///
 /// Call contract: begin() before the first tick; update() after each tick, before it is measured; the other
 /// functions between two ticks. Deterministic; depends only on the scene and the world. Not thread-safe.
@@ -67,12 +68,16 @@ class Population {
   };
 
   /// Whether there is nothing to update, as in scenes of agents with goals alone.
-  bool isEmpty() const { return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty(); }
+  bool isEmpty() const {
+    return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty() && distraction_.isEmpty();
+  }
   void updateAll(World& world, RouteObserver& observer);
   /// Uses this description from now on. The one before is kept, because queues, gates and routes refer to it.
   void adopt(const Scene& scene, PopulationDescription description);
   KeyedRandom randomOfRoute(AgentId id, std::uint64_t tick) const;
   Member* find(AgentId id);
+  /// The pauses of a kind of people; null if it has none.
+  const PauseDescription* pausesOf(std::int32_t kind) const;
   /// Adds an agent that has just appeared.
   void admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer);
   /// Returns the goal of an agent's present leg, and sets its sink.
@@ -100,6 +105,7 @@ class Population {
   std::vector<Queue> queues_;
   std::vector<Gate> gates_;
   std::vector<Member> members_;  // by ascending id
+  Distraction distraction_;
 };
 
 }  // namespace crowd

@@ -48,6 +48,8 @@ std::string checksumOf(const Scene& scene) {
     write(start.max_speed);
     write(start.radius);
     write(start.velocity);
+    write(start.kind);
+    write(start.figure);
     write(start.leaves);
   }
   for (const Obstacle& obstacle : scene.obstacles) {

@@ -11,6 +11,7 @@
 #include "geometry/motion_limits.h"
 #include "geometry/obstacle_path.h"
 #include "maps/free_space.h"
+#include "scenario/figure.h"
 #include "scenario/robot.h"
 
 namespace crowd {
@@ -36,6 +37,9 @@ inline constexpr EnumNames<Ends, 2> ENDS{"ends", {"all", "robots"}};
 /// @brief Inner radius (thesis, 4.1) [m], see Scene::collision_radius.
 constexpr double DEFAULT_COLLISION_RADIUS = 0.5;
 
+/// @brief Of agents without a kind.
+constexpr std::int32_t NO_KIND = -1;
+
 /// @brief Initial state and goals of an agent.
 struct AgentStart {
   Vector2 position = Vector2::Zero();  ///< [m], `map`
@@ -44,7 +48,9 @@ struct AgentStart {
   double max_speed = 0.0;              ///< maximum speed [m/s]
   double radius = 0.0;                 ///< of the body [m]
   Vector2 velocity = Vector2::Zero();  ///< [m/s], `map`
-  bool leaves = true;                  ///< leaves the world at its last goal; else it stays until it gets another goal
+  std::int32_t kind = NO_KIND;         ///< index of its kind of people
+  Figure figure = Figure::ADULT;
+  bool leaves = true;          ///< leaves the world at its last goal; else it stays until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
   std::optional<std::size_t> route = std::nullopt;  ///< index of its route; `goals` are not used then
   double reaction_time = 0.0;                       ///< it stands until this time has passed since it appeared [s]

@@ -11,7 +11,7 @@ namespace crowd {
 /// @throws InputError with file, document, line and field, as all functions of this file do
 PopulationDescription readPopulation(const YamlMap& map);
 
-/// @brief Reads `sources`. @param population its routes are known by name
+/// @brief Reads `sources`. @param population its routes and kinds are known by name
 std::vector<SourceDescription> readSources(const YamlMap& map, const Units& units,
                                            const PopulationDescription& population);
 

@@ -4,8 +4,10 @@
 #include <limits>
 #include <utility>
 
+#include "scenario/person_checks.h"
 #include "scenario/population_checks.h"
 #include "scenario/reading/agent_reader.h"
+#include "scenario/reading/kind_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/region_reader.h"
@@ -121,11 +123,11 @@ void readCrowd(const YamlMap& map, const Units& units, const PopulationDescripti
 }
 
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
-  const YamlMap map(
-      node, place,
-      {"name",   "units",     "tick",   "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
-       "agents", "obstacles", "walls",  "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
-       "queues", "gates",     "robots", "ends",     "motion"});
+  const YamlMap map(node, place,
+                    {"name",    "units",       "tick",        "duration", "goal_tolerance", "collision_radius",
+                     "contact", "order",       "seed",        "agents",   "obstacles",      "walls",
+                     "map",     "free_radius", "way_finding", "routes",   "sources",        "sinks",
+                     "queues",  "gates",       "robots",      "ends",     "motion",         "kinds"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -143,6 +145,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   scenario.order = ORDERS.read(map, Order::SIMULTANEOUS);
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
   PopulationDescription population = readPopulation(map);
+  population.kinds = readKinds(map, units);
   population.sources = readSources(map, units, population);
   scenario.robots = readRobots(map, units, scenario.goal_tolerance, population);
   scenario.ends = ENDS.read(map, Ends::ALL);
@@ -150,14 +153,18 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
     throwProblem(map.placeOf("ends"), map.need("ends"), "there are no robots");
   }
   readCrowd(map, units, population, scenario);
+  keepUsedKinds(scenario.agents, population);
   const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
   scenario.obstacles = readList<ObstacleGroup>(map.find("obstacles"), map.placeOf("obstacles"), obstacles);
   requireFewBodies(map, "obstacles", scenario.obstacles);
   scenario.walls = readList<Segment>(map.find("walls"), map.placeOf("walls"), readWall);
   scenario.way_finding = map.flag("way_finding", true);
-  if (!population.empty()) scenario.population = std::make_shared<const PopulationDescription>(std::move(population));
+  if (!population.empty() || !population.kinds.empty()) {
+    scenario.population = std::make_shared<const PopulationDescription>(std::move(population));
+  }
   readScenarioMap(map, scenario);
   if (scenario.population) checkPopulation(scenario);
+  if (!units.thesis) scenario.warnings = findUnlikelyPeople(scenario);
   return scenario;
 }
 
