@@ -15,6 +15,7 @@ ARM_SWING = 22.0
 THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when standing [m]
 UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42
 
+
 def bump(phase, middle, width):
     """A smooth hump of height 1 in a cycle of length 1."""
     away = (phase - middle + 0.5) % 1.0 - 0.5

@@ -323,7 +323,8 @@ class CrowdMarkersTest(unittest.TestCase):
 
     def test_figures_of_children_and_wheelchairs(self):
         people = self.show_people()
-        child, chair = agent_at(0, 0.0, 0.0, figure=AgentState.CHILD), agent_at(1, 3.0, 0.0, figure=AgentState.WHEELCHAIR)
+        child = agent_at(0, 0.0, 0.0, figure=AgentState.CHILD)
+        chair = agent_at(1, 3.0, 0.0, figure=AgentState.WHEELCHAIR)
         child.radius, chair.radius = 0.125, 0.4
         self.begin(child, chair, agent_at(2, 6.0, 0.0, figure=AgentState.OLD), agent_at(3, 9.0, 0.0, figure=200))
 

@@ -110,7 +110,7 @@ void readKindsOf(const YamlMap& map, const std::vector<PersonKind>& kinds, Agent
     const YamlMap checked(node, place);
     for (const auto& entry : node) {
       const std::string& name = entry.first.Scalar();
-      const double share = readNumber(entry.second, place.child(name), SHARE);
+      const double share = readNumber(entry.second, place.child(namePart(name)), SHARE);
       group.kinds.push_back(readShare(name, share, entry.first, place, kinds));
     }
   } else if (node.IsScalar()) {
