@@ -49,7 +49,7 @@ def trolley():
 
 def stick():
     """A walking stick in the right hand."""
-    return limb([(0.24, -0.26, 0.86), (0.28, -0.26, 0.0)], (0.02, 0.015), 4)
+    return limb([(0.24, -0.26, 0.86), (0.3, -0.26, 0.0)], (0.03, 0.025), 4)
 
 
 def shapes():

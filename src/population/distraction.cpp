@@ -16,7 +16,12 @@ void Distraction::update(World& world) {
   const auto is_gone = [&](const Person& person) { return !world.isActive(person.id); };
   people_.erase(std::remove_if(people_.begin(), people_.end(), is_gone), people_.end());
   for (Person& person : people_) {
-    if (person.next_change <= world.time() + TIME_ROUNDING) turnOver(person, world);
+    if (person.next_change > world.time() + TIME_ROUNDING) continue;
+    while (person.next_change <= world.time() + TIME_ROUNDING) {
+      person.is_distracted = !person.is_distracted;
+      person.next_change += drawInterval(person);
+    }
+    apply(person, world);
   }
 }
 
@@ -26,9 +31,7 @@ double Distraction::drawInterval(Person& person) {
   return -std::log1p(-person.random.uniform()) * person.pauses.every;
 }
 
-void Distraction::turnOver(Person& person, World& world) {
-  person.is_distracted = !person.is_distracted;
-  person.next_change += drawInterval(person);
+void Distraction::apply(const Person& person, World& world) {
   Agent& agent = world.walkingAgent(person.id);
   if (person.pauses.speed > 0.0) {
     agent.setPace(Pace::DISTRACTION, person.is_distracted ? person.pauses.speed : 1.0);

@@ -33,7 +33,7 @@ class Distraction {
     bool is_distracted = false;
   };
   static double drawInterval(Person& person);
-  static void turnOver(Person& person, World& world);
+  static void apply(const Person& person, World& world);
 
   std::uint64_t seed_;
   std::vector<Person> people_;

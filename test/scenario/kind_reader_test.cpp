@@ -117,12 +117,11 @@ TEST(KindReader, RefusesWhatIsWrong) {
        "4: agents[0].kind: there is no kind 'chlid', did you mean 'child'? Known are adult, child, old, wheelchair, "
        "luggage, phone, phone_stop, rimea_under_30, rimea_30_to_50, rimea_over_50, rimea_limited_mobility");
   says("{child: 0}", "", "4: agents[0].kind.child: expected a number above 0, got '0'");
-  says("{}", "",
-       "4: agents[0].kind: expected the name of a kind, or names and their shares {NAME: SHARE}, got a map of 0");
+  says("{}", "", "4: agents[0].kind: expected the name of a kind, or names and their shares {NAME: SHARE}, got a map");
   says("[child]", "",
        "4: agents[0].kind: expected the name of a kind, or names and their shares {NAME: SHARE}, got a list of 1");
   ownSays("speed: 1", ": the key 'radius' is missing");
-  ownSays("speed: 1, radius: 0.2, mass: 80", ": unknown key 'mass'. Known are speed, radius, figure, pauses");
+  ownSays("speed: 1, radius: 0.2, mass: 80", ": unknown key 'mass'; known are speed, radius, figure, pauses");
   ownSays("speed: {mean: 2, deviation: 1, range: [0.5, 1.5]}, radius: 0.2",
           ".speed.mean: expected a mean within the range, got '2'");
   ownSays("speed: {mean: 1, deviation: 1}, radius: 0.2", ".speed: the key 'range' is missing");
@@ -130,6 +129,8 @@ TEST(KindReader, RefusesWhatIsWrong) {
           ".figure: expected adult, child, old, wheelchair or trolley, got 'dog'");
   ownSays("speed: 1, radius: 0.2, pauses: {every: 0, duration: 1}",
           ".pauses.every: expected a number above 0, got '0'");
+  ownSays("speed: 1, radius: 0.2, pauses: {every: 9, duration: [0.001, 1]}",
+          ".pauses.duration: expected at least 0.01 s, got a list of 2");
   ownSays("speed: 1, radius: 0.2, pauses: {every: 9}", ".pauses: the key 'duration' is missing");
   ownSays("speed: 1, radius: 0.2, pauses: {every: 9, duration: 1, speed: 2}",
           ".pauses.speed: expected a number from 0 to 1, got '2'");

@@ -37,7 +37,7 @@ TEST(PersonChecks, NamesEachUnlikelyValueOnceWithItsPlace) {
 
 TEST(PersonChecks, LikelyPeopleAndThesisUnitsAreFine) {
   EXPECT_TRUE(warningsOf(agent("speed: 12, radius: [0.05, 1.5]")).empty());
-  EXPECT_TRUE(warningsOf("units: thesis\n" + agent("speed: 130, radius: 20")).empty());
+  EXPECT_TRUE(warningsOf("units: thesis\n" + agent("speed: 50, radius: 20")).empty());
 }
 
 TEST(PersonChecks, ScenariosOfThePackageGiveNoWarning) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "common/text/numbers.h"
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/region_reader.h"
 #include "scenario/reading/scenario_files.h"
@@ -12,6 +13,7 @@ namespace crowd {
 namespace {
 
 constexpr NumberLimit SHARE{NumberRule::POSITIVE, 1e9, ""};
+constexpr double SHORTEST_PAUSE = 0.01;  // [s]; a tick may have many pauses
 
 Range readSpeedRange(const YAML::Node& node, const YamlPlace& place, const Units& units) {
   return units.speed(readRange(node, place, units.limit(limits::SPEED)));
@@ -35,6 +37,9 @@ PauseDescription readPauses(const YAML::Node& node, const YamlPlace& place) {
   PauseDescription pauses;
   pauses.every = map.number("every", NumberRule::POSITIVE);
   pauses.duration = readRange(map.need("duration"), map.placeOf("duration"), NumberRule::POSITIVE);
+  if (pauses.duration.low < SHORTEST_PAUSE) {
+    throwExpected(map.placeOf("duration"), map.need("duration"), "at least " + toText(SHORTEST_PAUSE) + " s");
+  }
   pauses.speed = map.number("speed", NumberRule::FRACTION, 0.0);
   return pauses;
 }
