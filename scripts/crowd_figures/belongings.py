@@ -49,7 +49,7 @@ def trolley():
 
 def stick():
     """A walking stick in the right hand."""
-    return limb([(0.24, -0.26, 0.86), (0.3, -0.26, 0.0)], (0.03, 0.025), 4)
+    return limb([(0.22, -0.23, 0.96), (0.28, -0.23, 0.0)], (0.028, 0.022), 4)
 
 
 def shapes():

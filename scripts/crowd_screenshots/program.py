@@ -28,7 +28,7 @@ VALUES_CROP, PEOPLE_CROP = (460, 400, 800, 220), (890, 600, 366, 84)
 # From a corner of the hall of the station, over the gates.
 PEOPLE_VIEW = {'Class': 'rviz/Orbit', 'Target Frame': 'map', 'Distance': 16, 'Pitch': 0.5, 'Yaw': 5.0,
                'Focal Point': {'X': 24, 'Y': 15, 'Z': 0.5}}
-KINDS_VIEW = {**PEOPLE_VIEW, 'Distance': 9, 'Pitch': 0.45, 'Yaw': 4.9, 'Focal Point': {'X': -2, 'Y': 0, 'Z': 0.5}}
+KINDS_VIEW = {**PEOPLE_VIEW, 'Distance': 8.5, 'Pitch': 0.45, 'Yaw': 4.7, 'Focal Point': {'X': -0.5, 'Y': -0.5, 'Z': 0.4}}
 SCRIPTS, CONFIG = REPOSITORY / 'scripts', REPOSITORY / 'config'
 # As in README.md.
 FILM = 'place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30'
@@ -150,7 +150,7 @@ def floor(file, scenario, view, ticks):
 def people(folder):
     """Takes pictures of people in a place, and of people of several kinds. Yields their files."""
     yield floor(folder / 'rviz_people.png', 'place_station', PEOPLE_VIEW, 400)
-    yield floor(folder / 'rviz_kinds.png', 'kinds_hall', KINDS_VIEW, 60)
+    yield floor(folder / 'rviz_kinds.png', 'kinds_hall', KINDS_VIEW, 90)
 
 
 def rviz(folder):
