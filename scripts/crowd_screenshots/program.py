@@ -28,7 +28,8 @@ VALUES_CROP, PEOPLE_CROP = (460, 400, 800, 220), (890, 600, 366, 84)
 # From a corner of the hall of the station, over the gates.
 PEOPLE_VIEW = {'Class': 'rviz/Orbit', 'Target Frame': 'map', 'Distance': 16, 'Pitch': 0.5, 'Yaw': 5.0,
                'Focal Point': {'X': 24, 'Y': 15, 'Z': 0.5}}
-KINDS_VIEW = {**PEOPLE_VIEW, 'Distance': 8.5, 'Pitch': 0.45, 'Yaw': 4.7, 'Focal Point': {'X': -0.5, 'Y': -0.5, 'Z': 0.4}}
+KINDS_VIEW = {**PEOPLE_VIEW, 'Distance': 8.5, 'Pitch': 0.45, 'Yaw': 4.7,
+              'Focal Point': {'X': -0.5, 'Y': -0.5, 'Z': 0.4}}
 SCRIPTS, CONFIG = REPOSITORY / 'scripts', REPOSITORY / 'config'
 # As in README.md.
 FILM = 'place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30'
