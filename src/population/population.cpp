@@ -32,7 +32,7 @@ Population::Population(const Scene& scene)
       distraction_(scene.population_seed) {
   if (scene.way_finding) ways_.emplace(scene);
   for (const AgentStart& start : scene.agents) {
-    if (start.route || start.reaction_time > 0.0 || pausesOf(start.kind) != nullptr) starts_ = scene.agents;
+    if (start.route || start.reaction_time > 0.0 || description_->pausesOf(start.kind)) starts_ = scene.agents;
   }
   for (std::size_t i = 0; i < description_->sources.size(); ++i) {
     sources_.emplace_back(*description_, i, randomOf(seed_, SOURCE, i));
@@ -77,14 +77,8 @@ void Population::begin(World& world, RouteObserver& observer) {
   spawn(world, observer);
 }
 
-const PauseDescription* Population::pausesOf(std::int32_t kind) const {
-  if (kind == NO_KIND) return nullptr;
-  const auto& pauses = description_->kinds[static_cast<std::size_t>(kind)].pauses;
-  return pauses ? &*pauses : nullptr;
-}
-
 void Population::admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer) {
-  if (const PauseDescription* pauses = pausesOf(start.kind)) distraction_.add(id, *pauses, world.time());
+  if (const auto pauses = description_->pausesOf(start.kind)) distraction_.add(id, *pauses, world.time());
   if (!start.route && start.reaction_time <= 0.0) return;
   world.stopRequest().throwIfMade();
   Member& member = members_.emplace_back();

@@ -76,8 +76,6 @@ class Population {
   void adopt(const Scene& scene, PopulationDescription description);
   KeyedRandom randomOfRoute(AgentId id, std::uint64_t tick) const;
   Member* find(AgentId id);
-  /// The pauses of a kind of people; null if it has none.
-  const PauseDescription* pausesOf(std::int32_t kind) const;
   /// Adds an agent that has just appeared.
   void admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer);
   /// Returns the goal of an agent's present leg, and sets its sink.

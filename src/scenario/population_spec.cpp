@@ -19,6 +19,10 @@ bool PopulationDescription::empty() const {
          std::none_of(kinds.begin(), kinds.end(), pauses);
 }
 
+std::optional<PauseDescription> PopulationDescription::pausesOf(std::int32_t kind) const {
+  return kind == NO_KIND ? std::nullopt : kinds[static_cast<std::size_t>(kind)].pauses;
+}
+
 std::string unknownNameText(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
   std::string text = "there is no " + what + " " + inQuotes(name);
   if (HiddenQuotes::areActive()) return text;  // the known names are in the file, too

@@ -97,6 +97,8 @@ struct PopulationDescription {
 
   /// @brief Whether nothing acts on agents during an episode.
   bool empty() const;
+  /// @brief The pauses of a kind, if it has any. @param kind index, or NO_KIND
+  std::optional<PauseDescription> pausesOf(std::int32_t kind) const;
 };
 
 /// @brief "there is no route 'NAME'", a suggestion, and the known names.
