@@ -6,21 +6,14 @@ import math
 import typing
 
 import numpy
-from crowd_experiments.arguments import add_file, parser_of
-from crowd_experiments.tools import REPOSITORY
 
-from .shapes import ellipse, ellipsoid, join, limb, loft, write
+from .shapes import ellipse, ellipsoid, join, limb, loft
 
 FRAMES = 8
 HIP_SWING = 24.0  # [degrees] to each side: with a leg of 0.88 m a cycle of 1.4 m
 ARM_SWING = 22.0
 THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when standing [m]
 UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42
-EXAMPLE = '''Each build has a head, and for each picture of the walking cycle (frames 0 to 7, and 8: standing)
-a shirt and a mesh of the dark parts: hair, trousers or skirt, shoes.
-
-example:
-  scripts/draw_figures --output /tmp/meshes'''
 
 
 def bump(phase, middle, width):
@@ -117,20 +110,14 @@ def hair(build):
     return join(*parts)
 
 
-def main(words=None):
-    parser = parser_of('draw_figures', 'Makes the meshes of people who walk, which crowd_markers shows in RViz.',
-                       EXAMPLE)
-    add_file(parser, '--output', default=REPOSITORY / 'meshes', metavar='FOLDER',
-             help='folder of the meshes (default: meshes)')
-    folder = parser.parse_args(words).output
-    folder.mkdir(parents=True, exist_ok=True)
-    shapes = {}
+def shapes():
+    """Head, shirt and dark parts of each build, by the name of their file."""
+    made = {}
     for build in BUILDS:
-        shapes[f'{build.name}_head'] = head()
+        made[f'{build.name}_head'] = head()
         for frame in range(FRAMES + 1):
             lower, floor = legs(build, frame)
             up = numpy.array([0.0, 0.0, -floor])  # the lower foot is on the floor
-            shapes[f'{build.name}_dark_{frame}'] = join(lower + up, hair(build))
-            shapes[f'{build.name}_shirt_{frame}'] = shirt(build, frame) + up
-    files = [write(folder / f'{name}.stl', shape) for name, shape in shapes.items()]
-    print(f'{len(files)} meshes, {sum(file.stat().st_size for file in files) / 1e3:.0f} kB')
+            made[f'{build.name}_dark_{frame}'] = join(lower + up, hair(build))
+            made[f'{build.name}_shirt_{frame}'] = shirt(build, frame) + up
+    return made

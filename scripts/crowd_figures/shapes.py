@@ -57,6 +57,21 @@ def limb(points, radii, corners=6):
     return loft([ring[::-1] for ring in rings])
 
 
+def box(low, high):
+    """A box between two corners [m]."""
+    corners = numpy.array([(0, 0), (1, 0), (1, 1), (0, 1)])
+    low, high = numpy.array(low, float), numpy.array(high, float)
+    rings = [numpy.column_stack([low[:2] + corners * (high - low)[:2], numpy.full(4, z)]) for z in (low[2], high[2])]
+    return loft(rings)
+
+
+def wheel(centre, radius, width, corners):
+    """A disc that stands along x."""
+    across = numpy.array([0.0, width / 2, 0.0])
+    flat = ellipse((0, 0, 0), radius, radius, corners)[:, [0, 2, 1]]
+    return loft([numpy.array(centre) + across * side + flat for side in (1, -1)])
+
+
 def join(*shapes):
     """Several shapes as one."""
     return numpy.concatenate(shapes)

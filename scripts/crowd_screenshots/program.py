@@ -28,6 +28,8 @@ VALUES_CROP, PEOPLE_CROP = (460, 400, 800, 220), (890, 600, 366, 84)
 # From a corner of the hall of the station, over the gates.
 PEOPLE_VIEW = {'Class': 'rviz/Orbit', 'Target Frame': 'map', 'Distance': 16, 'Pitch': 0.5, 'Yaw': 5.0,
                'Focal Point': {'X': 24, 'Y': 15, 'Z': 0.5}}
+KINDS_VIEW = {**PEOPLE_VIEW, 'Distance': 8.5, 'Pitch': 0.45, 'Yaw': 4.7,
+              'Focal Point': {'X': -0.5, 'Y': -0.5, 'Z': 0.4}}
 SCRIPTS, CONFIG = REPOSITORY / 'scripts', REPOSITORY / 'config'
 # As in README.md.
 FILM = 'place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30'
@@ -131,19 +133,25 @@ def values(folder):
         yield desk.take(folder / 'rviz_values.png', seconds=5.0, crop=VALUES_CROP)
 
 
-def people(folder):
-    """Takes a picture of people in a place. Yields its file."""
+def floor(file, scenario, view, ticks):
+    """Takes a picture of the people of a scenario after some ticks, from a place over the floor. Returns its file."""
     settings, = read_documents(RVIZ)
-    settings['Visualization Manager']['Views']['Current'] = PEOPLE_VIEW
+    settings['Visualization Manager']['Views']['Current'] = view
     for display in settings['Visualization Manager']['Displays']:
         display['Enabled'] = display['Class'] != 'rviz/InteractiveMarkers'
     with tempfile.TemporaryDirectory(prefix='social_crowd_screenshots_') as configurations:
-        file = pathlib.Path(configurations) / 'people.rviz'
-        file.write_text(yaml.safe_dump(settings, sort_keys=False), encoding='utf-8')
-        with Desk('scenario:=place_station', 'paused:=true', f'view:={file.with_suffix("")}', SMOOTH) as desk:
+        configuration = pathlib.Path(configurations) / 'people.rviz'
+        configuration.write_text(yaml.safe_dump(settings, sort_keys=False), encoding='utf-8')
+        with Desk(f'scenario:={scenario}', 'paused:=true', f'view:={configuration.with_suffix("")}', SMOOTH) as desk:
             desk.call('/crowd_markers/choose_agent', 'agent: -1')
-            desk.call('/crowd_controller/step', '400')
-            yield desk.take(folder / 'rviz_people.png', seconds=5.0, crop=PEOPLE_CROP)
+            desk.call('/crowd_controller/step', str(ticks))
+            return desk.take(file, seconds=5.0, crop=PEOPLE_CROP)
+
+
+def people(folder):
+    """Takes pictures of people in a place, and of people of several kinds. Yields their files."""
+    yield floor(folder / 'rviz_people.png', 'place_station', PEOPLE_VIEW, 400)
+    yield floor(folder / 'rviz_kinds.png', 'kinds_hall', KINDS_VIEW, 90)
 
 
 def rviz(folder):

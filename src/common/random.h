@@ -24,7 +24,9 @@ class KeyedRandom {
     SENSOR = 8,
     ODOMETRY = 9,
     GAIT = 10,
-    GROUPS = 11
+    GROUPS = 11,
+    KIND = 30,
+    DISTRACTION = 31
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)

@@ -17,6 +17,7 @@ std::set<double> sizesOf(const World& world, const WorldChange& change, const Sc
   for (const SourceDescription& source : scene.population->sources) {
     add(source.agents.radius.low);
     add(source.agents.radius.high);
+    for (const KindShare& each : source.agents.kinds) add(scene.population->kinds[each.kind].radius.high);
   }
   return sizes;
 }

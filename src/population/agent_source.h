@@ -28,7 +28,7 @@ class AgentSource {
   bool isOver() const { return schedule_.isOver(); }
 
  private:
-  enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3, PARTY = 4 };
+  enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3, PARTY = 4, KIND = 5 };
 
   void drawGoals(AgentStart& start, const KeyedRandom& random, const World& world, const PlacePicker& places,
                  const PlacePicker::Reach& can_reach) const;

@@ -30,10 +30,12 @@ Population::Population(const Scene& scene)
     : description_(scene.population ? scene.population : std::make_shared<const PopulationDescription>()),
       seed_(scene.population_seed),
       places_(std::make_unique<const PlacePicker>(scene)),
-      followers_(*places_) {
+      followers_(*places_),
+      distraction_(scene.population_seed) {
   if (scene.way_finding) ways_.emplace(scene);
   for (const AgentStart& start : scene.agents) {
-    if (start.route || start.leader || start.reaction_time > 0.0) starts_ = scene.agents;
+    const bool is_member = start.route || start.leader || start.reaction_time > 0.0;
+    if (is_member || description_->pausesOf(start.kind)) starts_ = scene.agents;
   }
   for (std::size_t i = 0; i < description_->sources.size(); ++i) {
     sources_.emplace_back(*description_, i, randomOf(seed_, SOURCE, i));
@@ -97,6 +99,7 @@ void Population::begin(World& world, RouteObserver& observer) {
 
 void Population::admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer) {
   if (start.leader) followers_.add(id, *start.leader, isEndless(*start.leader, world), world, observer);
+  if (const auto pauses = description_->pausesOf(start.kind)) distraction_.add(id, *pauses, world.time());
   if (!start.route && start.reaction_time <= 0.0) return;
   world.stopRequest().throwIfMade();
   Member& member = members_.emplace_back();
@@ -250,6 +253,7 @@ void Population::updateAll(World& world, RouteObserver& observer) {
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_gone), members_.end());
   for (const Member& member : members_) hold(member, world);
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_done), members_.end());
+  distraction_.update(world);
   spawn(world, observer);
 }
 

@@ -8,6 +8,7 @@
 
 #include "navigation/way_lengths.h"
 #include "population/agent_source.h"
+#include "population/distraction.h"
 #include "population/followers.h"
 #include "population/gate.h"
 #include "population/place_picker.h"
@@ -19,7 +20,7 @@
 
 namespace crowd {
 
-/// @brief Runs the sources, sinks, routes, queues, gates and reaction times of an episode.
+/// @brief Runs the sources, sinks, routes, queues, gates, reaction times and pauses of an episode.
 ///
 /// Call contract: begin() before the first tick; update() after each tick, before it is measured; the other
 /// functions between two ticks. Deterministic; depends only on the scene and the world. Not thread-safe.
@@ -69,7 +70,8 @@ class Population {
 
   /// Whether there is nothing to update, as in scenes of agents with goals alone.
   bool isEmpty() const {
-    return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty() && followers_.empty();
+    const bool has_none = members_.empty() && sources_.empty() && queues_.empty() && gates_.empty();
+    return has_none && followers_.empty() && distraction_.isEmpty();
   }
   void updateAll(World& world, RouteObserver& observer);
   /// Uses this description from now on. The one before is kept, because queues, gates and routes refer to it.
@@ -107,6 +109,7 @@ class Population {
   std::vector<Queue> queues_;
   std::vector<Gate> gates_;
   std::vector<Member> members_;  // by ascending id
+  Distraction distraction_;
 };
 
 }  // namespace crowd

@@ -49,6 +49,8 @@ std::string checksumOf(const Scene& scene) {
     write(start.radius);
     write(start.velocity);
     write(start.group);
+    write(start.kind);
+    write(start.figure);
     write(start.leaves);
   }
   for (const Obstacle& obstacle : scene.obstacles) {

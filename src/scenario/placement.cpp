@@ -6,7 +6,9 @@
 #include "geometry/impact.h"
 #include "scenario/goal_checks.h"
 #include "scenario/group_placement.h"
+#include "scenario/person_kind.h"
 #include "scenario/placed_bodies.h"
+#include "scenario/population_spec.h"
 #include "scenario/robot_placement.h"
 #include "scenario/route_reach.h"
 #include "social_crowd/errors.h"
@@ -66,6 +68,7 @@ class Placement {
         random_(run_seed, KeyedRandom::PLACEMENT, {scenario.seed, episode}),
         robot_random_(run_seed, KeyedRandom::ROBOT_PLACEMENT, {scenario.seed, episode}),
         group_random_(run_seed, KeyedRandom::GROUPS, {scenario.seed, episode}),
+        kind_random_(run_seed, KeyedRandom::KIND, {scenario.seed, episode}),
         scene_(emptyScene(scenario)),
         placed_(scene_.walls) {
     scene_.population_seed = KeyedRandom(run_seed, KeyedRandom::POPULATION, {scenario.seed, episode}).next();
@@ -92,6 +95,7 @@ class Placement {
     bool separate = true;   // from those of other agents
     bool connected = true;  // with the start, by a way
   };
+  void drawKinds();
   void placeFixedAgents();
   void completeAgents();
   Vector2 drawPosition(const AgentGroup& group, const AgentStart& agent, int tries);
@@ -105,6 +109,7 @@ class Placement {
   KeyedRandom random_;
   KeyedRandom robot_random_;
   KeyedRandom group_random_;
+  KeyedRandom kind_random_;
   Scene scene_;
   PlacedBodies placed_;
 };
@@ -118,6 +123,7 @@ Scene Placement::place() {
     obstacle_count += static_cast<std::size_t>(group.count);
   }
   scene_.obstacles.resize(obstacle_count, {ObstaclePath::atRest(Vector2::Zero()), 0.0});
+  drawKinds();
   recordFixedGoals();
   placeObstacles(Position::FIXED);
   placeRecorded();
@@ -217,12 +223,21 @@ ObstaclePath Placement::drawPath(const ObstacleGroup& group, const Vector2& star
   }
 }
 
+void Placement::drawKinds() {
+  forEachBody("agents", scenario_.agents, stop_,
+              [&](const AgentGroup& group, const Label& /*label*/, std::size_t index) {
+                if (!group.kinds.empty()) {
+                  drawKind(group, scenario_.population->kinds, kind_random_.with(index), scene_.agents[index]);
+                }
+              });
+}
+
 void Placement::placeFixedAgents() {
   forEachBody("agents", scenario_.agents, stop_, [&](const AgentGroup& group, const Label& label, std::size_t index) {
     if (!group.position.isFixed()) return;
     AgentStart& agent = scene_.agents[index];
     agent.position = group.position.first;
-    agent.radius = group.radius.draw(random_);
+    if (!group.radius_of_kind) agent.radius = group.radius.draw(random_);
     if (const auto blocker = placed_.findBlocker(agent.position, agent.radius, -TOUCH_TOLERANCE)) {
       fail(label, overlapText(label.text(), blocker->name, blocker->depth));
     }
@@ -242,7 +257,7 @@ void Placement::completeAgents() {
     const auto left = static_cast<std::size_t>(group.count - label.number + 1);
     agent.leader = leaderOf(group, parties->next(static_cast<AgentId>(index), left));
     completeAgent(group, label, agent, demands);
-    agent.max_speed = group.max_speed.draw(random_);
+    if (!group.speed_of_kind) agent.max_speed = group.max_speed.draw(random_);
     const bool waits_for_goal = group.route || agent.leader;  // Episode determines the first goal
     if (!agent.leader) agent.route = group.route;
     agent.faces_goal = waits_for_goal && !group.heading;
@@ -292,7 +307,7 @@ void Placement::completeAgent(const AgentGroup& group, const Label& label, Agent
     demands.separate = demands.separate && tries - unconnected < TRIES_FOR_SEPARATE_GOALS;
     if (!placed) {
       agent.position = drawPosition(group, agent, tries);
-      agent.radius = group.radius.draw(random_);
+      if (!group.radius_of_kind) agent.radius = group.radius.draw(random_);
       if (placed_.findBlocker(agent.position, agent.radius, DRAWN_GAP)) {
         continue;
       }

@@ -13,6 +13,16 @@ bool GateDescription::isOpen(double time) const {
                      [time](const Period& period) { return time >= period.begin && time < period.end; });
 }
 
+bool PopulationDescription::empty() const {
+  const auto pauses = [](const PersonKind& kind) { return kind.pauses.has_value(); };
+  return routes.empty() && sources.empty() && sinks.empty() && queues.empty() && gates.empty() &&
+         std::none_of(kinds.begin(), kinds.end(), pauses);
+}
+
+std::optional<PauseDescription> PopulationDescription::pausesOf(std::int32_t kind) const {
+  return kind == NO_KIND ? std::nullopt : kinds[static_cast<std::size_t>(kind)].pauses;
+}
+
 std::string unknownNameText(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
   std::string text = "there is no " + what + " " + inQuotes(name);
   if (HiddenQuotes::areActive()) return text;  // the known names are in the file, too

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenario/person_kind.h"
 #include "scenario/scenario.h"
 
 namespace crowd {
@@ -92,8 +93,12 @@ struct PopulationDescription {
   std::vector<SinkDescription> sinks;
   std::vector<QueueDescription> queues;
   std::vector<GateDescription> gates;
+  std::vector<PersonKind> kinds;  ///< of people; those that agents and sources name
 
-  bool empty() const { return routes.empty() && sources.empty() && sinks.empty() && queues.empty() && gates.empty(); }
+  /// @brief Whether nothing acts on agents during an episode.
+  bool empty() const;
+  /// @brief The pauses of a kind, if it has any. @param kind index, or NO_KIND
+  std::optional<PauseDescription> pausesOf(std::int32_t kind) const;
 };
 
 /// @brief "there is no route 'NAME'", a suggestion, and the known names.

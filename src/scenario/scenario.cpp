@@ -36,6 +36,14 @@ bool ScenarioList::keepHeadings() const {
   });
 }
 
+std::vector<std::string> ScenarioList::warnings() const {
+  std::vector<std::string> all;
+  for (const Scenario& scenario : scenarios_) {
+    all.insert(all.end(), scenario.warnings.begin(), scenario.warnings.end());
+  }
+  return all;
+}
+
 Scene ScenarioList::scene(std::uint64_t run_seed, std::uint64_t episode, const StopRequest& stop) const {
   if (scenarios_.empty()) {
     throw InputError("there is no scenario to play");

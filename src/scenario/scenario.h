@@ -52,6 +52,12 @@ struct GroupDescription {
   std::vector<AgentId> members;
 };
 
+/// @brief A kind of people in an entry of agents, and its share of them, in proportion to the other shares.
+struct KindShare {
+  std::size_t kind = 0;  ///< index of a kind of the population
+  double share = 1.0;
+};
+
 /// @brief One entry under `agents`: `count` agents with the same description.
 struct AgentGroup {
   int line = 0;  ///< in the file, for messages
@@ -59,8 +65,11 @@ struct AgentGroup {
   Region position;
   std::vector<Region> goals;           ///< one after the other; empty: the start mirrored at `opposite`, or a `route`
   std::optional<Vector2> opposite;     ///< [m]
-  Range max_speed;                     ///< [m/s]
-  Range radius;                        ///< [m]
+  std::vector<KindShare> kinds;        ///< that they are drawn from; empty: none, see drawKind()
+  Range max_speed;                     ///< [m/s]; with `speed_of_kind` that of all its kinds together
+  Range radius;                        ///< [m]; with `radius_of_kind` that of all its kinds together
+  bool speed_of_kind = false;          ///< drawn as the kind of the agent describes it
+  bool radius_of_kind = false;         ///< the same
   std::optional<Range> heading;        ///< [rad]; absent: towards the first goal
   Vector2 velocity = Vector2::Zero();  ///< at the start [m/s]
   bool keeps_heading = false;          ///< see AgentStart
@@ -116,7 +125,8 @@ struct PopulationDescription;
 /// @brief A scenario as its document describes it: fixed numbers, and ranges from which each episode draws.
 struct Scenario {
   std::string name;
-  std::string source;  ///< file and document, for messages
+  std::string source;                 ///< file and document, for messages
+  std::vector<std::string> warnings;  ///< of what was read, for the user; in thesis units none
   double tick_duration = DEFAULT_TICK_DURATION;
   std::uint64_t max_ticks = 0;
   double goal_tolerance = 0.0;
@@ -138,7 +148,8 @@ struct Scenario {
   std::shared_ptr<const std::vector<Segment>> map_walls;  ///< of the map; null: none
   std::shared_ptr<const FreeSpace> free_space;            ///< of the map, for `free_radius`; null if no region is FREE
   double free_radius = 0.0;  ///< radius of discs that fit in FREE regions [m], at least that of the largest agent
-  std::shared_ptr<const PopulationDescription> population;  ///< routes, sources, sinks, queues, gates; null: none
+  std::shared_ptr<const PopulationDescription>
+      population;  ///< routes, sources, sinks, queues, gates, kinds; null: none
 
   /// @brief Creates the scene of one episode; depends only on scenario, seed and episode.
   ///
@@ -161,6 +172,8 @@ class ScenarioList {
   Scene scene(std::uint64_t run_seed, std::uint64_t episode, const StopRequest& stop = {}) const;
   /// @brief Whether any agent keeps its heading, so that an episode depends on the one before it.
   bool keepHeadings() const;
+  /// @brief The warnings of all scenarios.
+  std::vector<std::string> warnings() const;
   std::size_t size() const { return scenarios_.size(); }
   bool empty() const { return scenarios_.empty(); }
   const Scenario& operator[](std::size_t index) const { return scenarios_[index]; }

@@ -11,6 +11,7 @@
 #include "geometry/motion_limits.h"
 #include "geometry/obstacle_path.h"
 #include "maps/free_space.h"
+#include "scenario/figure.h"
 #include "scenario/recorded_people.h"
 #include "scenario/robot.h"
 
@@ -53,6 +54,8 @@ struct Leader {
 constexpr GroupId groupOf(const Leader& leader) {
   return leader.kind == Leader::Kind::AGENT ? leader.number : agentIdOf(leader.number) - 1;
 }
+/// @brief Of agents without a kind.
+constexpr std::int32_t NO_KIND = -1;
 
 /// @brief Initial state and goals of an agent.
 struct AgentStart {
@@ -62,7 +65,9 @@ struct AgentStart {
   double max_speed = 0.0;              ///< maximum speed [m/s]
   double radius = 0.0;                 ///< of the body [m]
   Vector2 velocity = Vector2::Zero();  ///< [m/s], `map`
-  bool leaves = true;                  ///< leaves the world at its last goal; else it stays until it gets another goal
+  std::int32_t kind = NO_KIND;         ///< index of its kind of people
+  Figure figure = Figure::ADULT;
+  bool leaves = true;          ///< leaves the world at its last goal; else it stays until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
   std::optional<std::size_t> route = std::nullopt;  ///< index of its route; `goals` are not used then
   std::optional<Leader> leader = std::nullopt;      ///< `goals` are not used then

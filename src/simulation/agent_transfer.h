@@ -18,6 +18,8 @@ void transferAgent(Archive& archive, AnAgent& agent) {
   archive(agent.wanted_speed);
   for (auto& pace : agent.paces) archive(pace);
   archive(agent.radius);
+  archive(agent.kind);
+  archive(agent.figure);
   archive(agent.goals);
   archive(agent.next_goal);
   archive(agent.present_goal);

@@ -152,4 +152,8 @@ int runTool(CLI::App& app, int argc, char** argv, const std::function<int(Commun
   }
 }
 
+void printReadingWarnings(const std::string& tool, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) std::cerr << tool << ": warning: " << warning << "\n";
+}
+
 }  // namespace crowd

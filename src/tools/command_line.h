@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "training/communicator.h"
 
@@ -17,6 +18,9 @@ enum ExitStatus : int { EXIT_FINE = 0, EXIT_BAD_INPUT = 1, EXIT_BAD_USAGE = 2, E
 /// once, by rank 0; one that only one rank knows of ends all.
 /// @return the exit status.
 int runTool(CLI::App& app, int argc, char** argv, const std::function<int(Communicator& ranks)>& run);
+
+/// @brief Prints warnings of what was read on standard error, "TOOL: warning: ..." each.
+void printReadingWarnings(const std::string& tool, const std::vector<std::string>& warnings);
 
 /// @brief Returns a validator for whole numbers of at least `low`.
 CLI::Validator atLeast(std::uint64_t low);

@@ -207,6 +207,9 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
   doOnAllRanks(ranks, [&] { inputs = readInputs(arguments); });
   if (ranks.size() > 1) requireSameRun(ranks, inputs->trained, arguments.scenarios, arguments.plan);
   const bool writes = ranks.rank() == 0;
+  for (const ScenarioList& scenarios : inputs->scenarios) {
+    if (writes) printReadingWarnings("evaluate", scenarios.warnings());
+  }
   const auto open_records = [&] {
     if (writes && !arguments.csv.empty()) records.metrics.emplace(arguments.csv);
     if (writes && !arguments.record.empty()) records.agents.emplace(arguments.record, recordHeader());

@@ -142,6 +142,7 @@ class TrainingRun {
 void TrainingRun::begin() {
   beginning_ = readBeginning(ranks_, arguments_, first_files_);
   doOnAllRanks(ranks_, [&] { makeTraining(); });
+  if (isFirstRank()) printReadingWarnings("train", training_->scenarios().warnings());
   const bool counts_rows = arguments_.plot || !arguments_.files.log.empty();
   if (ranks_.size() > 1) {
     requireSameTraining(ranks_, *training_, beginning_.q_table ? &*beginning_.q_table : nullptr, counts_rows);

@@ -36,6 +36,8 @@ struct Agent {
         own_speed(start.max_speed),
         wanted_speed(start.max_speed),
         radius(start.radius),
+        kind(start.kind),
+        figure(start.figure),
         goals(start.goals),
         present_goal(start.goals.front()),
         group(start.group),
@@ -49,7 +51,9 @@ struct Agent {
   double own_speed = 0.0;              ///< maximum speed without any Pace [m/s]
   double wanted_speed = 0.0;           ///< own_speed times all paces; `max_speed` as soon as it has slowed down [m/s]
   std::array<double, PACES> paces = {1.0, 1.0, 1.0};
-  double radius = 0.0;         ///< [m]
+  double radius = 0.0;          ///< [m]
+  std::int32_t kind = NO_KIND;  ///< see AgentStart
+  Figure figure = Figure::ADULT;
   std::vector<Vector2> goals;  ///< [m], `map`
   std::size_t next_goal = 0;
   Vector2 present_goal = Vector2::Zero();  ///< present goal, or the last one after arrival [m], `map`

@@ -321,6 +321,29 @@ class CrowdMarkersTest(unittest.TestCase):
         others = [marker.color for marker in people.markers('figures') if 'shirt' in marker.mesh_resource]
         self.assertNotEqual(shirt, others)
 
+    def test_figures_of_children_and_wheelchairs(self):
+        people = self.show_people()
+        child = agent_at(0, 0.0, 0.0, figure=AgentState.CHILD)
+        chair = agent_at(1, 3.0, 0.0, figure=AgentState.WHEELCHAIR)
+        child.radius, chair.radius = 0.125, 0.4
+        self.begin(child, chair, agent_at(2, 6.0, 0.0, figure=AgentState.OLD), agent_at(3, 9.0, 0.0, figure=200))
+
+        def belongings():
+            return {marker.id: os.path.basename(marker.mesh_resource) for marker in people.markers('belongings')}
+        wait_for(lambda: belongings() == {1: 'wheelchair.stl', 2: 'stick.stl'}, 'what they have with them')
+        self.assertEqual(self.meshes(people, 0), ['broad_dark_8', 'broad_head', 'broad_shirt_8'])
+        self.assertEqual(self.meshes(people, 1), ['sitting_dark', 'sitting_head', 'sitting_shirt'])
+        self.assertEqual(self.meshes(people, 3), ['slim_dark_8', 'slim_head', 'slim_shirt_8'])  # of an unknown figure
+        for marker in people.markers('belongings') + people.markers('figures'):
+            self.assertTrue(os.path.exists(in_package(marker.mesh_resource[len('package://social_crowd/'):])))
+        height = {marker.id: marker.scale.z for marker in people.markers('figures')}
+        self.assertLess(height[0], 0.7 * height[PARTS])
+        self.assertEqual([marker.scale.x for marker in people.markers('figures') if marker.id < 2 * PARTS],
+                         PARTS * [0.5] + PARTS * [1.0])
+        CrowdMarkersTest.episode += 1
+        self.begin(agent_at(1, 3.0, 0.0, figure=AgentState.TROLLEY), agent_at(2, 6.0, 0.0))
+        wait_for(lambda: belongings() == {1: 'trolley.stl'}, 'other figures')
+
     def test_people_step_with_the_distance_walked_and_stand(self):
         people = self.show_people()
         self.begin(agent_at(0, 0.0, 0.0))

@@ -28,7 +28,9 @@ routes:
   rounds: {repeat: true, waypoints: [{place: {box: [[1, 5], [5, 7]]}, wait: 2}, {place: [4, 4]}]}
 sources:
   - {area: {box: [[0.5, 3], [1.5, 5]]}, rate: 0.5, from: 1, until: 30, route: shopping, speed: [1.0, 1.5], radius: 0.2}
-  - {area: [3, 3.5], times: [3, 3, 9], goal: [11, 4], speed: 1.3, radius: 0.25}
+  - {area: [3, 3.5], times: [3, 3, 9], goal: [11, 4], kind: {reader: 1, child: 1, luggage: 1}}
+kinds:
+  reader: {speed: {mean: 1.3, deviation: 0.3, range: [1, 1.6]}, radius: 0.25, pauses: {every: 2, duration: [1, 2]}}
 sinks:
   north: {area: {box: [[10, 7], [11.5, 8]]}}
   south: {area: {box: [[10, 0], [11.5, 1]]}}

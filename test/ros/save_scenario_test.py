@@ -5,6 +5,7 @@ import os
 import support
 from controlling import ControllerTestCase
 from geometry_msgs.msg import Point, Pose2D
+from social_crowd.msg import AgentState
 
 # Everything that moves, in a solid world; coordinates have no exact decimals after a few ticks.
 FULL = """
@@ -14,7 +15,7 @@ goal_tolerance: 0.3
 contact: solid
 agents:
   - {position: [0, 0], goals: [[7, 1], [9, 9]], speed: 0.7, radius: 0.25}
-  - {position: [0, 5], goal: [9, 4], speed: 1.1, radius: 0.3}
+  - {position: [0, 5], goal: [9, 4], kind: wheelchair, speed: 1.1, radius: 0.3}
   - {position: [0, 9], goal: [9, 8], speed: 1.1, radius: 0.3}
 obstacles:
   - {position: [5, 20], radius: 0.4}
@@ -30,7 +31,8 @@ robots:
 
 def moves_of(state):
     """Returns positions and headings of agents on their way, and positions of obstacles."""
-    return ([(agent.pose.x, agent.pose.y, agent.pose.theta, agent.goal.x, agent.goal.y, agent.max_speed, agent.radius)
+    return ([(agent.pose.x, agent.pose.y, agent.pose.theta, agent.goal.x, agent.goal.y, agent.max_speed, agent.radius,
+              agent.figure)
              for agent in state.agents if agent.status == agent.WALKING],
             [(obstacle.position.x, obstacle.position.y, obstacle.radius) for obstacle in state.obstacles])
 
@@ -58,6 +60,7 @@ class SaveScenarioTest(ControllerTestCase):
         self.walk()
         before, after = self.save_and_load()
         self.assertEqual(moves_of(after), moves_of(before))
+        self.assertEqual(after.agents[1].figure, AgentState.WHEELCHAIR)
         scenario = self.scenarios.wait(lambda message: message.episode == after.episode)
         self.assertEqual([(wall.from_.x, wall.to.x) for wall in scenario.walls], [(-3, -3), (-2.1, -2.1)])
 

@@ -9,7 +9,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / 'scripts'))
 from crowd_figures import people as gait  # noqa: E402
-from crowd_figures.shapes import ellipse, limb, loft  # noqa: E402
+from crowd_figures.shapes import box, ellipse, limb, loft, wheel  # noqa: E402
 from crowd_figures.shapes import TRIANGLE  # noqa: E402
 
 
@@ -32,7 +32,7 @@ def made(tmp_path_factory):
     command = [str(ROOT / 'scripts' / 'draw_figures'), '--output', str(folder)]
     run = subprocess.run(command, stdout=subprocess.PIPE, check=False)
     assert run.returncode == 0
-    assert b'38 meshes' in run.stdout
+    assert b'44 meshes' in run.stdout
     return folder
 
 
@@ -41,7 +41,7 @@ def test_meshes_of_the_package_are_up_to_date_and_small(made):
     assert [file.name for file in shipped] == sorted(file.name for file in made.iterdir())
     for file in shipped:
         assert numpy.allclose(read(file)['corners'], read(made / file.name)['corners'], atol=1e-5), file.name
-    assert sum(file.stat().st_size for file in shipped) < 300_000
+    assert sum(file.stat().st_size for file in shipped) < 340_000
 
 
 def test_lower_foot_is_on_the_floor(made):
@@ -56,11 +56,20 @@ def test_people_are_as_tall_and_wide_as_people(made):
         assert 0.4 < numpy.ptp(corners[:, :, 1]) < 0.6
 
 
+def test_who_sits_fits_into_the_wheelchair_and_its_wheels_are_on_the_floor(made):
+    chair, person = (read(made / f'{name}.stl')['corners'] for name in ('wheelchair', 'sitting_dark'))
+    assert abs(chair[:, :, 2].min()) < 1e-6 and person[:, :, 2].min() > 0.04
+    assert 0.5 < numpy.ptp(chair[:, :, 1]) < 0.7
+    assert 1.2 < read(made / 'sitting_head.stl')['corners'][:, :, 2].max() < 1.45
+
+
 def test_shapes_are_closed_with_the_outside_outwards():
     # A prism with a regular hexagon of radius 0.1 m and a length of 0.5 m.
     assert volume(limb([(0, 0, 0.5), (0, 0, 0)], (0.1, 0.1))) == pytest.approx(1.5 * 3 ** 0.5 * 0.01 * 0.5)
     assert volume(limb([(0, 0, 0), (0.5, 0, 0)], (0.1, 0.1))) == pytest.approx(1.5 * 3 ** 0.5 * 0.01 * 0.5)
     assert volume(loft([ellipse((0, 0, z), 0.1, 0.1, 4) for z in (0, 1)])) == pytest.approx(0.02)
+    assert volume(box((1, 2, 3), (2, 4, 6))) == pytest.approx(6.0)
+    assert volume(wheel((1, 2, 3), 0.1, 0.5, 4)) == pytest.approx(0.01)
 
 
 def test_gait_is_that_of_a_walk():

@@ -92,6 +92,7 @@ void CrowdController::awaitShutdown(const Clock& deadline) {
 void CrowdController::useScenarios(ScenarioList scenarios, const std::string& name) {
   // What can fail is done before anything is replaced.
   std::optional<TrajectoryFile> recording = beginRecording(name);
+  for (const std::string& warning : scenarios.warnings()) ROS_WARN("%s", warning.c_str());
   scenarios_ = std::move(scenarios);
   scenario_name_ = name;
   restart(std::move(recording));

@@ -5,13 +5,14 @@
 
 #include <cstdint>
 #include <set>
+#include <utility>
 
 #include "ros/markers/marker_gait.h"
 
 namespace crowd {
 
-/// @brief Agents as walking people: mesh markers of the files in meshes/ (see scripts/draw_figures), several for each
-/// agent.
+/// @brief Agents as walking people, with what they have with them: mesh markers of the files in meshes/ (see
+/// scripts/draw_figures), several for each agent.
 ///
 /// Used by MarkerScene in the thread of crowd_markers.
 class WalkingFigures {
@@ -34,8 +35,9 @@ class WalkingFigures {
  private:
   Of people_;
   WalkingCycles cycles_;
-  std::set<std::uint32_t> shown_;    // agents with a figure
-  std::set<std::uint32_t> leaving_;  // agents whose figure is being deleted
+  using Part = std::pair<std::uint32_t, std::size_t>;  // agent, and part of its figure
+  std::set<Part> shown_;
+  std::set<Part> leaving_;  // are being deleted
 };
 
 }  // namespace crowd

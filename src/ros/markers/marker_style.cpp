@@ -99,7 +99,7 @@ Colour ofSector(std::size_t distance_class, std::size_t classes) {
   return withAlpha(ofRadius(distance_class, classes), distance_class < classes ? 0.4 : 0.35);
 }
 
-Colour ofFigure(FigurePart part, std::uint32_t agent) {
+Colour ofFigure(FigurePart part, Figure figure, std::uint32_t agent) {
   static const std::array<Colour, 3> SKIN = {make(0.87, 0.69, 0.58), make(0.74, 0.54, 0.41), make(0.45, 0.31, 0.23)};
   static const std::array<Colour, 4> DARK = {make(0.28, 0.24, 0.22), make(0.47, 0.34, 0.24), make(0.34, 0.37, 0.46),
                                              make(0.55, 0.54, 0.54)};
@@ -107,7 +107,9 @@ Colour ofFigure(FigurePart part, std::uint32_t agent) {
     case FigurePart::HEAD:
       return pick(SKIN, agent, 1);
     case FigurePart::DARK:
-      return pick(DARK, agent, 2);
+      return figure == Figure::OLD ? make(0.72, 0.72, 0.74) : pick(DARK, agent, 2);
+    case FigurePart::BELONGINGS:
+      return make(0.16, 0.17, 0.2);
     case FigurePart::SHIRT:
       break;
   }
@@ -116,9 +118,10 @@ Colour ofFigure(FigurePart part, std::uint32_t agent) {
   return make(lit(shirt.r), lit(shirt.g), lit(shirt.b));
 }
 
-double figureHeight(std::uint32_t agent) {
+double figureHeight(Figure figure, std::uint32_t agent) {
   static constexpr std::array<double, 5> HEIGHTS = {0.92, 0.96, 1.0, 1.03, 1.06};
-  return pick(HEIGHTS, agent, 3);
+  static constexpr double CHILD_HEIGHT = 0.6;
+  return (figure == Figure::CHILD ? CHILD_HEIGHT : 1.0) * pick(HEIGHTS, agent, 3);
 }
 
 Colour underFigure(std::uint32_t agent) { return withAlpha(ofAgent(agent), 0.45); }

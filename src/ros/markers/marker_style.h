@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "scenario/figure.h"
+
 /// Colours and sizes of all markers.
 namespace crowd::marker_style {
 
@@ -26,6 +28,7 @@ constexpr const char* ROBOTS = "robots";
 constexpr const char* FIGURES = "figures";
 constexpr const char* RECORDED = "recorded";
 constexpr const char* RECORDED_FIGURES = "recorded_figures";
+constexpr const char* BELONGINGS = "belongings";
 
 /// @brief Drawing order, lowest first.
 enum class Layer {
@@ -81,13 +84,14 @@ Colour faded(const Colour& colour, double strength);
 Colour ofRadius(std::size_t distance_class, std::size_t classes);
 /// @brief Colour of an occupied sector (translucent) by its class.
 Colour ofSector(std::size_t distance_class, std::size_t classes);
-/// @brief Parts of a person's figure; the dark ones are hair, trousers or skirt, and shoes.
-enum class FigurePart { HEAD, SHIRT, DARK };
-constexpr std::size_t FIGURE_PARTS = 3;
-/// @brief Colour of a part; the shirt has the colour of the agent.
-Colour ofFigure(FigurePart part, std::uint32_t agent);
+/// @brief Parts of a person's figure; the dark ones are hair, trousers or skirt, and shoes; belongings are a
+/// wheelchair, a suitcase or a stick.
+enum class FigurePart { HEAD, SHIRT, DARK, BELONGINGS };
+constexpr std::size_t FIGURE_PARTS = 4;
+/// @brief Colour of a part; the shirt has the colour of the agent, the hair of old people is grey.
+Colour ofFigure(FigurePart part, Figure figure, std::uint32_t agent);
 /// @brief Height of the figure of an agent, as a factor of that of the meshes (1.75 m).
-double figureHeight(std::uint32_t agent);
+double figureHeight(Figure figure, std::uint32_t agent);
 /// @brief Colour of the floor that the body of an agent with a figure covers.
 Colour underFigure(std::uint32_t agent);
 /// @brief Colour of the value of a move, also for people who do not distinguish red and green: from dark violet (0, the

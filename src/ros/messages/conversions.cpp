@@ -21,6 +21,7 @@ void toMessage(const Agent& agent, social_crowd::AgentState& message) {
   message.velocity = toVector3(agent.velocity);
   message.max_speed = agent.max_speed;
   message.radius = agent.radius;
+  message.figure = static_cast<std::uint8_t>(agent.figure);
   message.goal = toPoint(agent.goal());
   message.status = static_cast<std::uint8_t>(agent.status);
   message.in_contact = agent.in_contact ? 1 : 0;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "scenario/reading/group_reader.h"
+#include "scenario/reading/kind_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/region_reader.h"
@@ -68,15 +69,20 @@ void readFirstVelocity(const YamlMap& map, const Units& units, AgentGroup& group
 
 void readWalk(const YamlMap& map, const Units& units, const PopulationDescription& population, AgentGroup& group) {
   readGoals(map, population, group);
-  group.max_speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), units.limit(limits::SPEED)));
-  group.radius = readRange(map.need("radius"), map.placeOf("radius"), limits::RADIUS);
+  readKindsOf(map, population.kinds, group);
+  group.speed_of_kind = map.has("kind") && !map.has("speed");
+  group.radius_of_kind = map.has("kind") && !map.has("radius");
+  if (!group.speed_of_kind) {
+    group.max_speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), units.limit(limits::SPEED)));
+  }
+  if (!group.radius_of_kind) group.radius = readRange(map.need("radius"), map.placeOf("radius"), limits::RADIUS);
 }
 
 AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units,
                       const PopulationDescription& population) {
   const YamlMap map(node, place,
-                    {"position", "goal", "goals", "route", "speed", "radius", "heading", "velocity", "reaction_time",
-                     "count", "leader", "groups"});
+                    {"position", "goal", "goals", "route", "kind", "speed", "radius", "heading", "velocity",
+                     "reaction_time", "count", "leader", "groups"});
   AgentGroup group;
   group.line = lineOf(node);
   group.position = readRegion(map.need("position"), map.placeOf("position"));

@@ -11,7 +11,7 @@ namespace crowd {
 /// @throws InputError with file, document, line and field, as all functions of this file do
 PopulationDescription readPopulation(const YamlMap& map);
 
-/// @brief Reads `sources`. @param population its routes are known by name
+/// @brief Reads `sources`. @param population its routes and kinds are known by name
 std::vector<SourceDescription> readSources(const YamlMap& map, const Units& units,
                                            const PopulationDescription& population);
 
@@ -29,6 +29,9 @@ std::size_t readNameOf(const Descriptions& descriptions, const YamlMap& map, con
   return *found;
 }
 
+/// @brief A name that the user chose, as a part of the path in messages.
+inline std::string namePart(const std::string& name) { return HiddenQuotes::areActive() ? "..." : shortened(name); }
+
 /// @brief Applies `read(value, place)` to each entry of a map of names; an absent or null map is empty.
 template <typename T, typename Read>
 std::vector<T> readNamed(const YAML::Node& node, const YamlPlace& place, Read read) {
@@ -38,7 +41,7 @@ std::vector<T> readNamed(const YAML::Node& node, const YamlPlace& place, Read re
   for (const auto& entry : node) {
     const std::string& name = entry.first.Scalar();
     if (name.empty()) throwExpected(place, entry.first, "a name");
-    list.push_back(read(entry.second, place.child(HiddenQuotes::areActive() ? "..." : shortened(name))));
+    list.push_back(read(entry.second, place.child(namePart(name))));
     list.back().name = name;
     list.back().line = entry.first.Mark().line + 1;
   }

@@ -4,9 +4,11 @@
 #include <limits>
 #include <utility>
 
+#include "scenario/person_checks.h"
 #include "scenario/population_checks.h"
 #include "scenario/reading/agent_reader.h"
 #include "scenario/reading/group_reader.h"
+#include "scenario/reading/kind_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/recorded_reader.h"
@@ -123,11 +125,12 @@ void readCrowd(const YamlMap& map, const Units& units, const PopulationDescripti
 }
 
 Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
-  const YamlMap map(
-      node, place,
-      {"name",   "units",     "tick",   "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
-       "agents", "obstacles", "walls",  "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
-       "queues", "gates",     "robots", "ends",     "motion",         "groups",           "recorded"});
+  const YamlMap map(node, place,
+                    {"name",     "units",       "tick",        "duration", "goal_tolerance", "collision_radius",
+                     "contact",  "order",       "seed",        "agents",   "obstacles",      "walls",
+                     "map",      "free_radius", "way_finding", "routes",   "sources",        "sinks",
+                     "queues",   "gates",       "robots",      "ends",     "motion",         "groups",
+                     "recorded", "kinds"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -145,6 +148,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   scenario.order = ORDERS.read(map, Order::SIMULTANEOUS);
   scenario.seed = static_cast<std::uint64_t>(map.whole("seed", 0, MAX_SEED, 0));
   PopulationDescription population = readPopulation(map);
+  population.kinds = readKinds(map, units);
   population.sources = readSources(map, units, population);
   scenario.robots = readRobots(map, units, scenario.goal_tolerance, population);
   scenario.ends = ENDS.read(map, Ends::ALL);
@@ -153,6 +157,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   }
   scenario.recorded = readRecorded(map, scenario.tick_duration);
   readCrowd(map, units, population, scenario);
+  keepUsedKinds(scenario.agents, population);
   scenario.groups = readGroups(map);
   resolveGroups(scenario, map.place());
   const auto obstacles = [&](const YAML::Node& entry, const YamlPlace& at) { return readObstacles(entry, at, units); };
@@ -160,9 +165,12 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   requireFewBodies(map, "obstacles", scenario.obstacles);
   scenario.walls = readList<Segment>(map.find("walls"), map.placeOf("walls"), readWall);
   scenario.way_finding = map.flag("way_finding", true);
-  if (!population.empty()) scenario.population = std::make_shared<const PopulationDescription>(std::move(population));
+  if (!population.empty() || !population.kinds.empty()) {
+    scenario.population = std::make_shared<const PopulationDescription>(std::move(population));
+  }
   readScenarioMap(map, scenario);
   if (scenario.population) checkPopulation(scenario);
+  if (!units.thesis) scenario.warnings = findUnlikelyPeople(scenario);
   return scenario;
 }
 

@@ -3,15 +3,12 @@
 #include <cmath>
 
 #include "common/text/numbers.h"
+#include "scenario/writing/kind_document.h"
 
 namespace crowd {
 namespace {
 
 using Kind = WaypointDescription::Kind;
-
-std::string rangeText(const Range& range) {
-  return range.isFixed() ? toText(range.low) : "[" + toText(range.low) + ", " + toText(range.high) + "]";
-}
 
 std::string regionText(const Region& region) {
   if (region.kind == Region::Kind::FREE) return "{map: free}";
@@ -92,13 +89,19 @@ std::string sourcesText(const PopulationDescription& population) {
   std::string text;
   for (const SourceDescription& source : population.sources) {
     text += "  - {area: " + regionText(source.agents.position) + ", " + scheduleText(source) + ", " +
-            goalText(source.agents, population) + ", speed: " + rangeText(source.agents.max_speed) +
-            ", radius: " + rangeText(source.agents.radius) + sharesText(source.agents.groups) + "}\n";
+            goalText(source.agents, population) + kindText(source.agents, population) +
+            (source.agents.speed_of_kind ? "" : ", speed: " + rangeText(source.agents.max_speed)) +
+            (source.agents.radius_of_kind ? "" : ", radius: " + rangeText(source.agents.radius)) +
+            sharesText(source.agents.groups) + "}\n";
   }
   return text.empty() ? "" : "sources:\n" + text;
 }
 
 }  // namespace
+
+std::string rangeText(const Range& range) {
+  return range.isFixed() ? toText(range.low) : "[" + toText(range.low) + ", " + toText(range.high) + "]";
+}
 
 std::string pointText(const Vector2& point) { return "[" + toText(point.x()) + ", " + toText(point.y()) + "]"; }
 

@@ -7,6 +7,9 @@
 
 namespace crowd {
 
+/// @brief "LOW" or "[LOW, HIGH]".
+std::string rangeText(const Range& range);
+
 /// @brief "[X, Y]" [m].
 std::string pointText(const Vector2& point);
 

@@ -7,6 +7,7 @@
 
 #include "common/text/numbers.h"
 #include "scenario/population_spec.h"
+#include "scenario/writing/kind_document.h"
 #include "scenario/writing/population_document.h"
 #include "scenario/writing/robot_document.h"
 
@@ -24,7 +25,7 @@ std::string goalText(const AgentStart& agent, const Scene& scene) {
 
 std::string entryOf(const AgentStart& agent, const Scene& scene) {
   return "  - {position: " + pointText(agent.position) + ", " + goalText(agent, scene) +
-         (agent.reaction_time > 0.0 ? ", reaction_time: " + toText(agent.reaction_time) : "") +
+         (agent.reaction_time > 0.0 ? ", reaction_time: " + toText(agent.reaction_time) : "") + kindText(agent, scene) +
          ", speed: " + toText(agent.max_speed) + ", radius: " + toText(agent.radius) +
          (agent.faces_goal ? "" : ", heading: " + headingText(agent.heading)) +
          (agent.velocity.isZero(0.0) ? "" : ", velocity: " + pointText(agent.velocity)) + "}\n";
@@ -145,7 +146,7 @@ std::string toDocument(const Scene& scene, const std::string& folder) {
          (scene.seed != 0 ? "seed: " + std::to_string(scene.seed) + "\n" : "") +
          (scene.way_finding ? "" : "way_finding: false\n") + mapText(scene, folder) + agentsText(scene) +
          groupsText(scene) + section("obstacles", scene.obstacles) + recordedText(scene, folder) + wallsText(scene) +
-         robotsText(scene) + (scene.population ? populationText(*scene.population) : "");
+         robotsText(scene) + (scene.population ? populationText(*scene.population) : "") + kindsText(scene);
 }
 
 }  // namespace crowd
