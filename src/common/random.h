@@ -23,7 +23,9 @@ class KeyedRandom {
     ROBOT_PLACEMENT = 7,
     SENSOR = 8,
     ODOMETRY = 9,
-    GAIT = 10
+    GAIT = 10,
+    ATTRACTIONS = 11,
+    ALARMS = 12
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)

@@ -11,6 +11,7 @@ std::optional<AgentStart> AgentSource::next(const World& world, const PlacePicke
   AgentStart start;
   start.max_speed = group.max_speed.draw(body);
   start.radius = group.radius.draw(body);
+  start.hurry = group.hurry.drawUnlessFixed(body);
   const auto place = places.drawStart(group.position, start.radius, random.with(START).with(world.tick()), world);
   if (!place || !places.connects(*place, group, *population_)) return std::nullopt;
   start.position = *place;

@@ -4,12 +4,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "navigation/way_lengths.h"
 #include "population/agent_source.h"
+#include "population/alarms.h"
+#include "population/attractions.h"
 #include "population/gate.h"
 #include "population/place_picker.h"
+#include "population/place_ways.h"
 #include "population/queue.h"
 #include "population/route_follower.h"
 #include "population/route_observer.h"
@@ -18,7 +22,7 @@
 
 namespace crowd {
 
-/// @brief Runs the sources, sinks, routes, queues, gates and reaction times of an episode.
+/// @brief Runs the sources, sinks, routes, queues, gates, attractions, alarms and reaction times of an episode.
 ///
 /// Call contract: begin() before the first tick; update() after each tick, before it is measured; the other
 /// functions between two ticks. Deterministic; depends only on the scene and the world. Not thread-safe.
@@ -46,6 +50,12 @@ class Population {
   /// @brief Opens or closes a gate, see Gate. @return whether it is open now @throws InputError that lists the known
   /// names
   bool setGate(const std::string& gate, bool open, World& world);
+  /// @brief Lets people walk to a sink, or change their speed, now. Waits, queues and attractions end for those who
+  /// walk to a sink, and they do not stop at attractions any more. @return number of these people
+  /// @throws InputError as agentsOf() does; nothing is changed then
+  std::size_t raiseAlarm(AlarmDescription alarm, World& world, RouteObserver& observer) {
+    return raise(alarms_.add(std::move(alarm)), world, observer);
+  }
   /// @brief Adds the last source, or the last gate, of a description that is otherwise the present one. A source begins
   /// now.
   void addSource(const Scene& scene, const World& world);
@@ -67,7 +77,10 @@ class Population {
   };
 
   /// Whether there is nothing to update, as in scenes of agents with goals alone.
-  bool isEmpty() const { return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty(); }
+  bool isEmpty() const {
+    return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty() && attractions_.empty() &&
+           !alarms_.arePending();
+  }
   void updateAll(World& world, RouteObserver& observer);
   /// Uses this description from now on. The one before is kept, because queues, gates and routes refer to it.
   void adopt(const Scene& scene, PopulationDescription description);
@@ -77,16 +90,18 @@ class Population {
   void admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer);
   /// Returns the goal of an agent's present leg, and sets its sink.
   Vector2 goalOfLeg(Member& member, const Vector2& from, double radius, const World& world);
-  /// Returns a place in the sink with the shortest way, and sets the member's sink.
-  Vector2 nearestSink(Member& member, const Vector2& from, double radius, const World& world);
-  /// The way to a place; without way-finding the straight line.
-  WayLengths::Way wayTo(const Vector2& place, const Vector2& from, double radius, const World& world);
-  PlacePicker::Reach reachIn(const World& world);
   void beginLeg(Member& member, World& world);
   /// Goes on to the next waypoint, or lets the agent leave at the end of its route.
   void advance(Member& member, World& world, RouteObserver& observer);
   void walk(Member& member, World& world, RouteObserver& observer);
   void hold(const Member& member, World& world) const;
+  void face(const Member& member, World& world) const;
+  /// Lets an agent walk a route, which must outlive it, in place of what it does.
+  Member& beginRoute(AgentId id, const RouteDescription& route, World& world, RouteObserver& observer);
+  /// Raises an alarm by its number.
+  std::size_t raise(std::size_t number, World& world, RouteObserver& observer);
+  void raiseAlarms(World& world, RouteObserver& observer);
+  void updateAttractions(World& world, RouteObserver& observer);
   void serveQueues(World& world, RouteObserver& observer);
   void spawn(World& world, RouteObserver& observer);
 
@@ -94,11 +109,13 @@ class Population {
   std::vector<std::shared_ptr<const PopulationDescription>> earlier_;  // descriptions, which others refer to
   std::uint64_t seed_;
   PlacePicker places_;
-  std::optional<WayLengths> ways_;  // with way-finding
+  PlaceWays ways_;
   std::vector<AgentStart> starts_;  // until begin()
   std::vector<AgentSource> sources_;
   std::vector<Queue> queues_;
   std::vector<Gate> gates_;
+  Attractions attractions_;
+  Alarms alarms_;
   std::vector<Member> members_;  // by ascending id
 };
 

@@ -44,6 +44,8 @@ class PopulationCheck {
   /// @param field name of the region, such as sources[0].area
   void require(const Region& region, double radius, int line, const std::string& field) const;
   void requireWaypoint(const WaypointDescription& waypoint, double radius, const std::string& field) const;
+  /// The robot that agents are to look at must be there.
+  void requireRobot(const std::optional<FacingDescription>& face, int line, const std::string& field) const;
   /// The radius of the largest agent that begins on a route; that of all agents if there is none.
   double radiusOnRoute(std::size_t route) const;
 
@@ -80,9 +82,20 @@ void PopulationCheck::require(const Region& region, double radius, int line, con
 void PopulationCheck::requireWaypoint(const WaypointDescription& waypoint, double radius,
                                       const std::string& field) const {
   if (waypoint.kind == Kind::PLACE) require(waypoint.place, radius, waypoint.line, field + ".place");
+  requireRobot(waypoint.face, waypoint.line, field);
   for (std::size_t i = 0; i < waypoint.alternatives.size(); ++i) {
     requireWaypoint(waypoint.alternatives[i], radius, field + ".one_of[" + std::to_string(i) + "]");
   }
+}
+
+void PopulationCheck::requireRobot(const std::optional<FacingDescription>& face, int line,
+                                   const std::string& field) const {
+  if (!face || face->kind != FacingDescription::Kind::ROBOT) return;
+  std::vector<std::string> names;
+  for (const RobotGroup& robot : scenario_.robots) names.push_back(robot.start.name);
+  if (std::find(names.begin(), names.end(), face->robot) != names.end()) return;
+  throw InputError(scenario_.source + ", line " + std::to_string(line) + ": " + field +
+                   ".face.robot: " + unknownNameText("robot", face->robot, names));
 }
 
 double PopulationCheck::radiusOnRoute(std::size_t route) const {
@@ -116,6 +129,11 @@ void PopulationCheck::run() const {
     Region head;
     head.first = queue.head;
     require(head, largest_, queue.line, "queues." + queue.name + ".head");
+    requireRobot(queue.face, queue.line, "queues." + queue.name);
+  }
+  for (const AttractionDescription& attraction : population_.attractions) {
+    require(attraction.area, largest_, attraction.line, "attractions." + attraction.name + ".area");
+    requireRobot(attraction.face, attraction.line, "attractions." + attraction.name);
   }
 }
 

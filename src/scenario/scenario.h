@@ -22,6 +22,8 @@ struct Range {
   double low = 0.0;
   double high = 0.0;
   double draw(KeyedRandom& random) const { return random.uniform(low, high); }
+  /// @brief As draw(), but takes no random number if the value is fixed, so that other draws stay the same.
+  double drawUnlessFixed(KeyedRandom& random) const { return isFixed() ? low : draw(random); }
   bool isFixed() const { return low == high; }
 };
 
@@ -46,6 +48,7 @@ struct AgentGroup {
   std::vector<Region> goals;           ///< one after the other; empty: the start mirrored at `opposite`, or a `route`
   std::optional<Vector2> opposite;     ///< [m]
   Range max_speed;                     ///< [m/s]
+  Range hurry{1.0, 1.0};               ///< factor of the speed
   Range radius;                        ///< [m]
   std::optional<Range> heading;        ///< [rad]; absent: towards the first goal
   Vector2 velocity = Vector2::Zero();  ///< at the start [m/s]

@@ -12,7 +12,8 @@ AgentStart startOf(const Agent& agent, const Scene& scene) {
   start.position = agent.pose.position;
   start.heading = agent.pose.heading;
   start.goals.assign(agent.goals.begin() + static_cast<std::ptrdiff_t>(agent.next_goal), agent.goals.end());
-  start.max_speed = agent.max_speed;
+  start.max_speed = agent.own_speed;
+  start.hurry = agent.paces[static_cast<std::size_t>(Pace::HURRY)];
   start.radius = agent.radius;
   start.leaves = agent.leaves;
   if (agent.id < scene.agents.size()) start.route = scene.agents[agent.id].route;

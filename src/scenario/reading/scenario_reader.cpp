@@ -125,7 +125,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
       node, place,
       {"name",   "units",     "tick",   "duration", "goal_tolerance", "collision_radius", "contact", "order",   "seed",
        "agents", "obstacles", "walls",  "map",      "free_radius",    "way_finding",      "routes",  "sources", "sinks",
-       "queues", "gates",     "robots", "ends",     "motion"});
+       "queues", "gates",     "robots", "ends",     "motion",         "attractions",      "alarms"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");

@@ -58,9 +58,9 @@ void readSchedule(const YamlMap& map, SourceDescription& source) {
 std::vector<SourceDescription> readSources(const YamlMap& map, const Units& units,
                                            const PopulationDescription& population) {
   const auto read = [&](const YAML::Node& node, const YamlPlace& place) {
-    const YamlMap entry(
-        node, place,
-        {"area", "rate", "times", "interval", "from", "until", "count", "goal", "goals", "route", "speed", "radius"});
+    const YamlMap entry(node, place,
+                        {"area", "rate", "times", "interval", "from", "until", "count", "goal", "goals", "route",
+                         "speed", "hurry", "radius"});
     SourceDescription source;
     source.agents.line = lineOf(node);
     source.agents.position = readRegion(entry.need("area"), entry.placeOf("area"));
