@@ -43,7 +43,7 @@ std::vector<AgentId> agentsOf(const AlarmDescription& alarm, const World& world)
   return ids;
 }
 
-bool ends(const AlarmDescription& alarm, const SourceDescription& source) {
+bool endsSource(const AlarmDescription& alarm, const SourceDescription& source) {
   if (!alarm.route || alarm.keeps_sources) return false;
   if (!alarm.area) return true;
   const Region& place = source.agents.position;

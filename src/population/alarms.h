@@ -32,6 +32,6 @@ class Alarms {
 std::vector<AgentId> agentsOf(const AlarmDescription& alarm, const World& world);
 
 /// @brief Whether an alarm ends a source: people are to leave the area that the middle of the source is in.
-bool ends(const AlarmDescription& alarm, const SourceDescription& source);
+bool endsSource(const AlarmDescription& alarm, const SourceDescription& source);
 
 }  // namespace crowd

@@ -8,10 +8,25 @@
 namespace crowd {
 namespace {
 
+// An agent gives up if it is on the way to its place for longer than PATIENCE and DELAYS times what a straight walk
+// takes.
+constexpr double PATIENCE = 10.0;  // [s]
+constexpr double DELAYS = 3.0;
+
 bool includes(const std::vector<AgentId>& ids, AgentId id) { return std::binary_search(ids.begin(), ids.end(), id); }
 
 void insert(AgentId id, std::vector<AgentId>& ids) {
   if (!includes(ids, id)) ids.insert(std::lower_bound(ids.begin(), ids.end(), id), id);
+}
+
+/// The part of an area in which somebody at a position looks for a place: people do not walk along a long window.
+Region partNear(const Vector2& position, const AttractionDescription& attraction) {
+  Region part = attraction.area;
+  if (part.kind != Region::Kind::BOX) return part;
+  const Vector2 reach = Vector2::Constant(2.0 * attraction.radius);
+  part.first = part.first.cwiseMax(position - reach);
+  part.second = part.second.cwiseMin(position + reach);
+  return part;
 }
 
 /// The agents whose centre is within the radius of an area, by ascending id.
@@ -74,12 +89,13 @@ void Attractions::begin(std::size_t attraction, AgentId id, World& world, const 
   if (!place) return;
   observer.addDetour(agent, *place);
   agent.insertGoal(*place);
-  visits_.push_back({id, attraction, *place, false, world.time() + PATIENCE});
+  const double straight = (*place - agent.pose.position).norm() / agent.max_speed;
+  visits_.push_back({id, attraction, *place, false, world.time() + PATIENCE + DELAYS * straight});
 }
 
 std::optional<Vector2> Attractions::freePlace(std::size_t attraction, const Agent& agent, const World& world,
                                               const PlacePicker& places, const PlacePicker::Reach& can_reach) const {
-  const Region& area = attractions_[attraction].area;
+  const Region area = partNear(agent.pose.position, attractions_[attraction]);
   KeyedRandom random = randomOf(attraction, agent.id, PLACE);
   for (int tries = 0; tries < MAX_TRIES; ++tries) {
     const Vector2 place = area.draw(random);

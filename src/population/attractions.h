@@ -16,7 +16,8 @@ namespace crowd {
 ///
 /// An agent on its way that comes within the radius of an attraction, and sees it, stops with its probability, which is
 /// drawn once for each agent and attraction. It gets a further goal before its present one, a free place in the area,
-/// stands there, and goes on. If there is no free place, or it does not get there within PATIENCE, it goes on at once.
+/// not farther away than twice the radius in x and y, stands there, and goes on. If there is no free place, or it takes
+/// too long to get there, it goes on at once.
 class Attractions {
  public:
   /// @brief Whether an agent on its way may stop now.
@@ -40,8 +41,7 @@ class Attractions {
 
  private:
   enum Choice : std::uint64_t { SHARE = 0, PLACE = 1, WAIT = 2 };
-  static constexpr double PATIENCE = 30.0;  // on the way to a place [s]
-  static constexpr int MAX_TRIES = 50;      // draws of a place
+  static constexpr int MAX_TRIES = 50;  // draws of a place
 
   struct Visit {
     AgentId id = 0;
@@ -59,7 +59,7 @@ class Attractions {
   bool stops(std::size_t attraction, const Agent& agent, const World& world) const;
   void begin(std::size_t attraction, AgentId id, World& world, const PlacePicker& places,
              const PlacePicker::Reach& can_reach, RouteObserver& observer);
-  /// A place that nobody stands at or walks to.
+  /// A place near the agent that nobody stands at or walks to.
   std::optional<Vector2> freePlace(std::size_t attraction, const Agent& agent, const World& world,
                                    const PlacePicker& places, const PlacePicker::Reach& can_reach) const;
   bool isTaken(const Vector2& place, const Agent& agent, const World& world) const;

@@ -23,7 +23,7 @@ std::size_t Population::raise(std::size_t number, World& world, RouteObserver& o
     hold(member, world);
   }
   for (AgentSource& source : sources_) {
-    if (ends(alarm, source.description())) source.end();
+    if (endsSource(alarm, source.description())) source.end();
   }
   return agents.size();
 }

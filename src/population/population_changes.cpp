@@ -72,6 +72,13 @@ PopulationDescription withSource(const Scene& scene, const SourceDescription& so
   return population;
 }
 
+PopulationDescription withAlarm(const Scene& scene, const AlarmDescription& alarm) {
+  PopulationDescription population = populationOf(scene);
+  population.alarms.push_back(alarm);
+  requireField("alarms[" + std::to_string(population.alarms.size() - 1) + "]", [&] { requireReadable(population); });
+  return population;
+}
+
 PopulationDescription withGate(const Scene& scene, const GateDescription& gate) {
   PopulationDescription population = populationOf(scene);
   if (gate.name.empty()) throw InputError("gate: expected a name, got an empty text");

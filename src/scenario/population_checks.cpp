@@ -6,6 +6,7 @@
 
 #include "common/text/numbers.h"
 #include "geometry/impact.h"
+#include "geometry/limits.h"
 #include "geometry/wall_index.h"
 #include "maps/occupancy_map.h"
 #include "scenario/population_spec.h"
@@ -25,15 +26,17 @@ class PopulationCheck {
   explicit PopulationCheck(const Scenario& scenario)
       : scenario_(scenario), population_(*scenario.population), walls_(allWalls(scenario)) {
     if (scenario.map) frame_.emplace(*scenario.map);
-    for (const AgentGroup& group : scenario.agents) largest_ = std::max(largest_, group.radius.high);
-    for (const SourceDescription& source : population_.sources) {
-      largest_ = std::max(largest_, source.agents.radius.high);
-    }
+    for (const AgentGroup& group : scenario.agents) include(group);
+    for (const SourceDescription& source : population_.sources) include(source.agents);
   }
 
   void run() const;
 
  private:
+  void include(const AgentGroup& group) {
+    largest_ = std::max(largest_, group.radius.high);
+    fastest_ = std::max(fastest_, group.max_speed.high);
+  }
   static std::vector<Segment> allWalls(const Scenario& scenario) {
     std::vector<Segment> walls = scenario.walls;
     if (scenario.map_walls) walls.insert(walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
@@ -44,6 +47,7 @@ class PopulationCheck {
   /// @param field name of the region, such as sources[0].area
   void require(const Region& region, double radius, int line, const std::string& field) const;
   void requireWaypoint(const WaypointDescription& waypoint, double radius, const std::string& field) const;
+  void requireSpeed(std::size_t number) const;
   /// The robot that agents are to look at must be there.
   void requireRobot(const std::optional<FacingDescription>& face, int line, const std::string& field) const;
   /// The radius of the largest agent that begins on a route; that of all agents if there is none.
@@ -54,6 +58,7 @@ class PopulationCheck {
   WallIndex walls_;
   std::optional<CellFrame> frame_;  // of the map, if there is one
   double largest_ = 0.0;            // radius of all agents [m]
+  double fastest_ = 0.0;            // speed of all agents [m/s]
 };
 
 bool PopulationCheck::fits(const Vector2& place, double radius) const {
@@ -108,7 +113,17 @@ double PopulationCheck::radiusOnRoute(std::size_t route) const {
   return radius > 0.0 ? radius : largest_;
 }
 
+/// Nobody may be faster than the greatest permitted speed.
+void PopulationCheck::requireSpeed(std::size_t number) const {
+  const AlarmDescription& alarm = population_.alarms[number];
+  if (fastest_ * alarm.speed_factor <= limits::SPEED.most) return;
+  throw InputError(scenario_.source + ", line " + std::to_string(alarm.line) + ": alarms[" + std::to_string(number) +
+                   "].speed_factor: expected one with which agents walk at most " + toText(limits::SPEED.most) +
+                   " m/s, got " + toText(alarm.speed_factor));
+}
+
 void PopulationCheck::run() const {
+  for (std::size_t i = 0; i < population_.alarms.size(); ++i) requireSpeed(i);
   for (std::size_t i = 0; i < population_.sources.size(); ++i) {
     const AgentGroup& group = population_.sources[i].agents;
     const std::string field = "sources[" + std::to_string(i) + "]";

@@ -48,13 +48,13 @@ struct AgentGroup {
   std::vector<Region> goals;           ///< one after the other; empty: the start mirrored at `opposite`, or a `route`
   std::optional<Vector2> opposite;     ///< [m]
   Range max_speed;                     ///< [m/s]
-  Range hurry{1.0, 1.0};               ///< factor of the speed
   Range radius;                        ///< [m]
   std::optional<Range> heading;        ///< [rad]; absent: towards the first goal
   Vector2 velocity = Vector2::Zero();  ///< at the start [m/s]
   bool keeps_heading = false;          ///< see AgentStart
   std::optional<std::size_t> route = std::nullopt;  ///< index of a route of the population, instead of goals
   Range reaction_time;                              ///< [s], see AgentStart
+  Range hurry{1.0, 1.0};                            ///< factor of the speed
   /// Where its agents can walk, for drawing places; null: nothing is drawn, or nothing is in the way.
   std::shared_ptr<const FloorReach> reach = nullptr;
 };

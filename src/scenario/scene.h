@@ -42,7 +42,6 @@ struct AgentStart {
   double heading = 0.0;                ///< [rad], `map`
   std::vector<Vector2> goals;          ///< [m], `map`; visited in this order, at least one
   double max_speed = 0.0;              ///< maximum speed [m/s]
-  double hurry = 1.0;                  ///< factor of `max_speed`, see walkingSpeed()
   double radius = 0.0;                 ///< of the body [m]
   Vector2 velocity = Vector2::Zero();  ///< [m/s], `map`
   bool leaves = true;                  ///< leaves the world at its last goal; else it stays until it gets another goal
@@ -50,6 +49,7 @@ struct AgentStart {
   std::optional<std::size_t> route = std::nullopt;  ///< index of its route; `goals` are not used then
   double reaction_time = 0.0;                       ///< it stands until this time has passed since it appeared [s]
   bool faces_goal = false;                          ///< with a route: `heading` is to be towards the first goal
+  double hurry = 1.0;                               ///< factor of `max_speed`, see walkingSpeed()
 
   /// @brief The maximum speed at the start [m/s].
   double walkingSpeed() const { return max_speed * hurry; }

@@ -51,11 +51,9 @@ bool EpisodeEditor::setGate(const std::string& gate, bool open) {
 
 std::size_t EpisodeEditor::raiseAlarm(AlarmDescription alarm) {
   alarm.time = 0.0;
-  const std::size_t count = episode_.population_.raiseAlarm(alarm, world_, episode_.monitor_);
-  std::shared_ptr<const PopulationDescription>& known = episode_.scene_.population;
-  PopulationDescription population = known ? *known : PopulationDescription();
-  population.alarms.push_back(std::move(alarm));
-  known = std::make_shared<const PopulationDescription>(std::move(population));
+  PopulationDescription population = withAlarm(episode_.scene_, alarm);
+  const std::size_t count = episode_.population_.raiseAlarm(std::move(alarm), world_, episode_.monitor_);
+  episode_.scene_.population = std::make_shared<const PopulationDescription>(std::move(population));
   note({});
   return count;
 }
