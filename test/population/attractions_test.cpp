@@ -128,11 +128,11 @@ TEST(Attractions, NotOnTheWayToAQueue) {
   EXPECT_TRUE(agent.isHeldBy(Hold::ATTRACTION));  // it was served first
 }
 
-/// It has 10 s, and three times the 2 s that it takes at 1 m/s, but walks at 0.1 m/s.
+/// It has 10 s, and three times the 2 s that it takes at 1 m/s, but soon walks at 0.05 m/s.
 TEST(Attractions, AnAgentThatDoesNotGetThereGoesOn) {
   Episode episode = episodeOf(
       "agents: [{position: [4, 0], goal: [10, 0], speed: 1, radius: 0.2}]\n"
-      "alarms: [{time: 1, area: all, speed_factor: 0.1}]\n" +
+      "alarms: [{time: 1, area: all, speed_factor: 0.05}]\n" +
       window("share: 1, wait: 3"));
   const Agent& agent = episode.world().agents()[0];
   step(episode);

@@ -31,7 +31,7 @@ TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
             "tick, duration, "
             "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls, map, free_radius, "
             "way_finding, routes, "
-            "sources, sinks, queues, gates, robots, ends, motion");
+            "sources, sinks, queues, gates, robots, ends, motion, attractions, alarms");
   EXPECT_EQ(errorOf("name: n\nduration: 60\n" + std::string(AGENTS)),
             "s.yaml: document 1, line 1: the key 'goal_tolerance' is missing");
   EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], radius: 0.2"),
