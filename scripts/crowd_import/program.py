@@ -1,7 +1,8 @@
 """Converts a scene of pedsim_ros into a scenario file.
 
-Obstacles become walls; waypoints, queues and sinks become routes; agents, sources and attractions are carried over. What is not
-carried over, or is changed, is printed and written at the top of the scenario file, with its line in the scene.
+Obstacles become walls; waypoints, queues and sinks become routes; agents, sources and attractions are carried over.
+What is not carried over, or is changed, is printed and written at the top of the scenario file, with its line in the
+scene.
 """
 import math
 import pathlib

@@ -1,13 +1,9 @@
 #include "population/alarms.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
-#include "common/text/numbers.h"
-#include "geometry/limits.h"
 #include "scenario/region_geometry.h"
-#include "social_crowd/errors.h"
 
 namespace crowd {
 
@@ -34,10 +30,6 @@ std::vector<AgentId> agentsOf(const AlarmDescription& alarm, const World& world)
   std::vector<AgentId> ids;
   for (const Agent& agent : world.agents()) {
     if (!agent.isWalking() || (alarm.area && !contains(*alarm.area, agent.pose.position))) continue;
-    if (agent.own_speed * alarm.speed_factor > limits::SPEED.most) {
-      throw InputError("speed_factor: expected one with which agent " + std::to_string(agent.id) + " walks at most " +
-                       toText(limits::SPEED.most) + " m/s, got " + toText(alarm.speed_factor));
-    }
     ids.push_back(agent.id);
   }
   return ids;

@@ -27,8 +27,7 @@ class Alarms {
   std::vector<std::size_t> pending_;  // by ascending times
 };
 
-/// @brief The agents on their way that an alarm concerns, by ascending id. @throws InputError if one of them would be
-/// faster than the greatest permitted speed
+/// @brief The agents on their way that an alarm concerns, by ascending id.
 std::vector<AgentId> agentsOf(const AlarmDescription& alarm, const World& world);
 
 /// @brief Whether an alarm ends a source: people are to leave the area that the middle of the source is in.

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "navigation/way_lengths.h"
@@ -52,10 +51,8 @@ class Population {
   bool setGate(const std::string& gate, bool open, World& world);
   /// @brief Lets people walk to a sink, or change their speed, now. Waits, queues and attractions end for those who
   /// walk to a sink, and they do not stop at attractions any more. @return number of these people
-  /// @throws InputError as agentsOf() does; nothing is changed then
-  std::size_t raiseAlarm(AlarmDescription alarm, World& world, RouteObserver& observer) {
-    return raise(alarms_.add(std::move(alarm)), world, observer);
-  }
+  /// @throws InputError if one of them would be faster than the greatest permitted speed; nothing is changed then
+  std::size_t raiseAlarm(AlarmDescription alarm, World& world, RouteObserver& observer);
   /// @brief Adds the last source, or the last gate, of a description that is otherwise the present one. A source begins
   /// now.
   void addSource(const Scene& scene, const World& world);

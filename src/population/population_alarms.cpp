@@ -1,11 +1,27 @@
 // What ends what people do, or interrupts it: alarms and attractions.
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "common/text/numbers.h"
+#include "geometry/limits.h"
 #include "population/population.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 
 void Population::raiseAlarms(World& world, RouteObserver& observer) {
   for (const std::size_t number : alarms_.takeDue(world.time())) raise(number, world, observer);
+}
+
+std::size_t Population::raiseAlarm(AlarmDescription alarm, World& world, RouteObserver& observer) {
+  for (const AgentId id : agentsOf(alarm, world)) {
+    if (world.agents()[id].own_speed * alarm.speed_factor <= limits::SPEED.most) continue;
+    throw InputError("speed_factor: expected one with which agent " + std::to_string(id) + " walks at most " +
+                     toText(limits::SPEED.most) + " m/s, got " + toText(alarm.speed_factor));
+  }
+  return raise(alarms_.add(std::move(alarm)), world, observer);
 }
 
 std::size_t Population::raise(std::size_t number, World& world, RouteObserver& observer) {
@@ -14,7 +30,8 @@ std::size_t Population::raise(std::size_t number, World& world, RouteObserver& o
   const std::vector<AgentId> agents = agentsOf(alarm, world);
   for (const AgentId id : agents) {
     world.stopRequest().throwIfMade();
-    world.walkingAgent(id).setPace(Pace::HURRY, alarm.speed_factor);
+    Agent& agent = world.walkingAgent(id);
+    agent.setPace(Pace::HURRY, std::min(alarm.speed_factor, limits::SPEED.most / agent.own_speed));
     if (!alarm.route) continue;
     Member& member = beginRoute(id, *alarm.route, world, observer);
     attractions_.leave(id, true, world);

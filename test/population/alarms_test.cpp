@@ -66,6 +66,11 @@ TEST(Alarms, PeopleWalkToTheNearestSinkAtOnce) {
   EXPECT_EQ(agents[0].arrival_tick, 20U + 1U + 8U);
 }
 
+TEST(Alarms, AtTheStart) {
+  Episode episode = episodeOf(std::string(PEOPLE) + "alarms: [{time: 0, area: all, sink: east}]\n");
+  for (const Agent& agent : episode.world().agents()) EXPECT_EQ(agent.goal(), Vector2(10.0, 0.0));
+}
+
 TEST(Alarms, TheWayCounts) {
   Episode episode =
       episodeOf(std::string(PEOPLE) + "walls: [[[5, -40], [5, 40]]]\nalarms: [{time: 3, area: all, sink: nearest}]\n");

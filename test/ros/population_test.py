@@ -29,7 +29,8 @@ routes:
       - {one_of: [{sink: north}, {sink: south}]}
   rounds: {repeat: true, waypoints: [{place: {box: [[1, 5], [5, 7]]}, wait: 2}, {place: [4, 4]}]}
 sources:
-  - {area: {box: [[0.5, 3], [1.5, 5]]}, rate: 0.5, from: 1, until: 30, route: shopping, speed: [1.0, 1.5], hurry: [0.9, 1.2], radius: 0.2}
+  - {area: {box: [[0.5, 3], [1.5, 5]]}, rate: 0.5, from: 1, until: 30, route: shopping, speed: [1.0, 1.5],
+     hurry: [0.9, 1.2], radius: 0.2}
   - {area: [3, 3.5], times: [3, 3, 9], goal: [11, 4], speed: 1.3, radius: 0.25}
 sinks:
   north: {area: {box: [[10, 7], [11.5, 8]]}}
@@ -148,7 +149,6 @@ class ServicesTest(ControllerTestCase):
         self.walk(1)
         walls.wait(lambda message: list(message.numbers) == [1])
         self.refuse('set_gate', 'gate', 'door, hatch', gate='tunnel', open=True)
-
 
     def test_an_alarm(self):
         self.start_all(ROUTES)
