@@ -55,16 +55,16 @@ void Attractions::update(World& world, const PlacePicker& places, const PlacePic
   const auto is_over = [&](Visit& visit) { return !goOn(visit, world); };
   visits_.erase(std::remove_if(visits_.begin(), visits_.end(), is_over), visits_.end());
   for (const Visit& visit : visits_) face(visit, world);
-  const auto is_visitor = [&](AgentId id) {
-    return std::any_of(visits_.begin(), visits_.end(), [id](const Visit& visit) { return visit.id == id; });
-  };
+  std::vector<AgentId> visitors;
+  for (const Visit& visit : visits_) visitors.push_back(visit.id);
+  std::sort(visitors.begin(), visitors.end());
   for (std::size_t i = 0; i < attractions_.size(); ++i) {
     for (const AgentId id : agentsNear(attractions_[i], world)) {
       const Agent& agent = world.agents()[id];
       const bool is_on_its_way = agent.isWalking() && !agent.isHeld() && !agent.at_goal && may_stop(agent);
-      if (!is_on_its_way || includes(known_[i], id) || is_visitor(id) || !stops(i, agent, world)) continue;
+      if (!is_on_its_way || includes(known_[i], id) || includes(visitors, id) || !stops(i, agent, world)) continue;
       insert(id, known_[i]);
-      begin(i, id, world, places, can_reach, observer);
+      if (begin(i, id, world, places, can_reach, observer)) insert(id, visitors);
     }
   }
 }
@@ -82,15 +82,16 @@ bool Attractions::stops(std::size_t attraction, const Agent& agent, const World&
   return world.walls().index().isClear(position, nearestPoint(description.area, position), 0.0);
 }
 
-void Attractions::begin(std::size_t attraction, AgentId id, World& world, const PlacePicker& places,
+bool Attractions::begin(std::size_t attraction, AgentId id, World& world, const PlacePicker& places,
                         const PlacePicker::Reach& can_reach, RouteObserver& observer) {
   Agent& agent = world.walkingAgent(id);
   const std::optional<Vector2> place = freePlace(attraction, agent, world, places, can_reach);
-  if (!place) return;
+  if (!place) return false;
   observer.addDetour(agent, *place);
   agent.insertGoal(*place);
   const double straight = (*place - agent.pose.position).norm() / agent.max_speed;
   visits_.push_back({id, attraction, *place, false, world.time() + PATIENCE + DELAYS * straight});
+  return true;
 }
 
 std::optional<Vector2> Attractions::freePlace(std::size_t attraction, const Agent& agent, const World& world,

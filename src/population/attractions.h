@@ -57,7 +57,8 @@ class Attractions {
   void forget(const World& world);
   /// Whether an agent has noticed an attraction now and stops.
   bool stops(std::size_t attraction, const Agent& agent, const World& world) const;
-  void begin(std::size_t attraction, AgentId id, World& world, const PlacePicker& places,
+  /// @return whether there is a place for the agent
+  bool begin(std::size_t attraction, AgentId id, World& world, const PlacePicker& places,
              const PlacePicker::Reach& can_reach, RouteObserver& observer);
   /// A place near the agent that nobody stands at or walks to.
   std::optional<Vector2> freePlace(std::size_t attraction, const Agent& agent, const World& world,
