@@ -105,6 +105,17 @@ class Queue:
         self.direction = element.number('direction')
 
 
+class Attraction:
+    """A box in which people stop: its middle and its sides."""
+
+    def __init__(self, element):
+        self.element = element
+        self.name = element.text('id')
+        self.middle = element.number('x'), element.number('y')
+        self.sides = element.not_negative('width'), element.not_negative('height')
+        self.strength = element.not_negative('strength')
+
+
 STOPS = {'waypoint': Waypoint, 'queue': Queue}
 
 
@@ -134,14 +145,14 @@ class PedsimScene:
         if root.tag != 'scenario':
             root.fail("expected a scene of pedsim_ros, whose root is 'scenario'")
         elements = {tag: [element for element in root.children if element.tag == tag]
-                    for tag in ('obstacle', 'agent', 'source')}
+                    for tag in ('obstacle', 'agent', 'source', 'attraction')}
         self.walls = elements['obstacle']
+        self.attractions = {}  # by id
+        for element in elements['attraction']:
+            self.add_new(Attraction(element), self.attractions)
         for element in root.children:
             if element.tag in STOPS:
-                stop = STOPS[element.tag](element)
-                known = self.stops.setdefault(stop.name, stop)
-                if known is not stop:
-                    element.fail(f"the id '{stop.name}' is used in line {known.element.line} already")
+                self.add_new(STOPS[element.tag](element), self.stops)
             elif element.tag in ROUTE_PARTS:
                 element.fail('expected within an agent or a source')
         self.agents, self.sources = ([Cluster(element) for element in elements[tag]] for tag in ('agent', 'source'))
@@ -152,6 +163,13 @@ class PedsimScene:
             self.others += [part for part in cluster.element.children if part.tag not in ROUTE_PARTS]
         if not self.agents and not self.sources:
             root.fail('expected at least one agent or source')
+
+    @staticmethod
+    def add_new(entry, entries):
+        """Adds an object with `name` and `element`, or raises InputError if there is one of its name."""
+        known = entries.setdefault(entry.name, entry)
+        if known is not entry:
+            entry.element.fail(f"the id '{entry.name}' is used in line {known.element.line} already")
 
     def stop_of(self, part):
         """Returns the waypoint or queue that an `addwaypoint` or `addqueue` names; None if it is skipped."""

@@ -1,7 +1,8 @@
 """Converts a scene of pedsim_ros into a scenario file.
 
-Obstacles become walls; waypoints, queues and sinks become routes; agents and sources are carried over. What is not
-carried over, or is changed, is printed and written at the top of the scenario file, with its line in the scene.
+Obstacles become walls; waypoints, queues and sinks become routes; agents, sources and attractions are carried over.
+What is not carried over, or is changed, is printed and written at the top of the scenario file, with its line in the
+scene.
 """
 import math
 import pathlib
@@ -16,9 +17,13 @@ ELDER_SPEED = 0.9  # [m/s]
 ROBOT_SPEED, ROBOT_RADIUS = 1.6, 0.4  # [m/s], [m] of pedsim_ros's SOCIAL_DRIVE
 QUEUE_SPACING = 0.5  # [m] mean distance of people in line; pedsim_ros draws 0.2 to 0.8
 SERVICE = [0.2, 1.8]  # [s] with the mean of pedsim_ros's gamma distribution, 1
+ATTRACTION_RADIUS = 7.0  # [m]; the rate falls from that within the area to 0 there
+ATTRACTION_RATE = 0.02  # [1/s] for a strength of 1, within the area
+MEAN_SPEED = 1.34  # [m/s]
+STAY = [0, 66.7]  # [s] with the mean of pedsim_ros's exponential distribution, 1 / 0.03
 GAP = 0.05  # [m] between bodies at the start
 DENSEST = 0.4  # greatest share of an area that discs at random places may cover
-REASONS = {'attraction': 'people do not stop at attractions', 'welcome': 'has no meaning in pedsim_ros'}
+REASONS = {'welcome': 'has no meaning in pedsim_ros'}
 EXAMPLES = '''example:
   rosrun social_crowd pedsim_import hall.xml --output hall.yaml --duration 120'''
 
@@ -75,6 +80,9 @@ class Conversion:
             'head': point(stop.head), 'direction': number((stop.direction + 180.0) % 360.0),  # of the line
             'spacing': number(max(QUEUE_SPACING, 2 * radius + GAP)), 'service': SERVICE}
             for stop in stops if isinstance(stop, Queue)}
+        self.attractions = {}
+        for attraction in scene.attractions.values():
+            self.add_attraction(attraction)
         self.walls = []
         for element in scene.walls:
             ends = [point((element.number(f'x{end}'), element.number(f'y{end}'))) for end in (1, 2)]
@@ -98,6 +106,18 @@ class Conversion:
     def note(self, element, text):
         identity = element.attributes.get('id')
         self.notes.append((element.line, f"{element.tag}{f' {text_of(identity)}' if identity else ''}: {text}"))
+
+    def add_attraction(self, attraction):
+        """Its share is the probability that somebody who walks straight to it and away is attracted."""
+        if attraction.strength == 0:
+            self.note(attraction.element, 'not carried over: its strength is 0')
+            return
+        time = ATTRACTION_RADIUS / MEAN_SPEED  # twice the way between radius and area, at half the rate
+        share = 1.0 - math.exp(-ATTRACTION_RATE * attraction.strength * time)
+        self.attractions[attraction.name] = {
+            'area': box(attraction.middle, attraction.sides), 'radius': number(ATTRACTION_RADIUS),
+            'share': number(round(share, 3)), 'wait': STAY}
+        self.note(attraction.element, 'people stop there once, and only if they see it')
 
     def area_of(self, cluster, radius):
         """Returns the region of a cluster at the start. It is enlarged where the bodies would overlap."""
@@ -164,7 +184,7 @@ def scenario_of(conversion, source, name, duration):
     if conversion.notes:
         lines += ['# Not carried over, or changed:', *(f'#   line {line}: {note}' for line, note in conversion.notes)]
     lines += [f'name: {text_of(name)}', f'duration: {number(duration)}', 'goal_tolerance: 0.3']
-    for key in ('agents', 'obstacles', 'sources', 'sinks', 'queues', 'routes', 'walls'):
+    for key in ('agents', 'obstacles', 'sources', 'sinks', 'queues', 'routes', 'attractions', 'walls'):
         entries = getattr(conversion, key)
         named = isinstance(entries, dict)
         lines += [f'{key}:'] if entries else []

@@ -25,8 +25,10 @@ class KeyedRandom {
     ODOMETRY = 9,
     GAIT = 10,
     GROUPS = 11,
-    KIND = 30,
-    DISTRACTION = 31
+    ATTRACTIONS = 12,
+    ALARMS = 13,
+    KIND = 14,
+    DISTRACTION = 15
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)

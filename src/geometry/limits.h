@@ -22,6 +22,7 @@ constexpr NumberLimit OFFSET{NumberRule::ANY, 1e3, "m"};
 /// Bodies that move farther in a tick meet more others in it.
 constexpr NumberLimit SPEED{NumberRule::POSITIVE, 1e3, "m/s"};
 constexpr NumberLimit VELOCITY{NumberRule::ANY, 1e3, "m/s"};  ///< components
+constexpr NumberLimit PACE{NumberRule::POSITIVE, 10.0, ""};   ///< factors of speeds; `SPEED` limits the product, too
 constexpr NumberLimit ROTATION{NumberRule::POSITIVE, 1e3, "rad/s"};
 constexpr NumberLimit ACCELERATION{NumberRule::POSITIVE, 1e6, "m/s^2"};
 constexpr NumberLimit ROTATION_ACCELERATION{NumberRule::POSITIVE, 1e6, "rad/s^2"};

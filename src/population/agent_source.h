@@ -26,6 +26,9 @@ class AgentSource {
   std::optional<AgentStart> next(const World& world, const PlacePicker& places, const PlacePicker::Reach& can_reach);
   /// @brief Whether all agents have appeared.
   bool isOver() const { return schedule_.isOver(); }
+  /// @brief Lets no further agent appear.
+  void end() { schedule_.end(); }
+  const SourceDescription& description() const { return *source_; }
 
  private:
   enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3, PARTY = 4, KIND = 5 };

@@ -25,6 +25,15 @@ void Distraction::update(World& world) {
   }
 }
 
+void Distraction::end(AgentId id, World& world) {
+  const auto is_it = [id](const Person& person) { return person.id == id; };
+  const auto found = std::find_if(people_.begin(), people_.end(), is_it);
+  if (found == people_.end()) return;
+  found->is_distracted = false;
+  apply(*found, world);
+  people_.erase(found);
+}
+
 /// Draws the time from now on until the person is distracted or attentive again [s].
 double Distraction::drawInterval(Person& person) {
   if (person.is_distracted) return person.pauses.duration.draw(person.random);

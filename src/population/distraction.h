@@ -22,6 +22,8 @@ class Distraction {
   void add(AgentId id, const PauseDescription& pauses, double time);
   /// @brief Begins and ends pauses that are due. Call it after each tick.
   void update(World& world);
+  /// @brief The agent has no pauses any more.
+  void end(AgentId id, World& world);
   bool isEmpty() const { return people_.empty(); }
 
  private:

@@ -31,7 +31,7 @@ bool canStop(const AgentStart& start, const Vector2& velocity, const World& worl
   };
   const auto is_beside = [&](const Obstacle& obstacle) {
     const ObstaclePath::Motion motion = obstacle.path.at(world.time());
-    const double time = start.max_speed / world.motion().braking + world.tickDuration();
+    const double time = start.walkingSpeed() / world.motion().braking + world.tickDuration();
     const Segment its_way{motion.position, motion.position + time * motion.velocity};
     return isClear(way, start.radius, its_way, obstacle.radius);
   };
@@ -48,7 +48,7 @@ Vector2 entryVelocity(const AgentStart& start, const World& world) {
   if (!world.motion().areOn() || start.reaction_time > 0.0 || !sees_goal || goal == start.position) {
     return Vector2::Zero();
   }
-  const Vector2 wanted = start.max_speed * (goal - start.position).normalized();
+  const Vector2 wanted = start.walkingSpeed() * (goal - start.position).normalized();
   for (const double share : SPEED_SHARES) {
     if (canStop(start, share * wanted, world)) return share * wanted;
   }

@@ -22,7 +22,7 @@ Vector2 Followers::goalBeside(const Vector2& goal, const Vector2& from, std::siz
   for (int ring = 1; ring <= RINGS; ++ring) {
     for (const double angle : PLACES) {
       const Vector2 place = goal + ring * step * unitVector(bearing + angle * PI);
-      const bool fits = places_->fits(place, radius, world) && world.walls().index().isClear(goal, place, 0.0);
+      const bool fits = places_.fits(place, radius, world) && world.walls().index().isClear(goal, place, 0.0);
       if (fits && number-- == 0) return place;
     }
   }
@@ -88,15 +88,16 @@ void Followers::release(const Follower& follower, World& world, RouteObserver& o
   observer.setEndless(follower.id, false);
 }
 
+/// A follower has all goals at once, so that it need not wait for its leader at each of them, until those of the leader
+/// change, as on a route and at an attraction: from then on it gets one after the other.
 void Followers::followAgent(Follower& follower, World& world, RouteObserver& observer) const {
   const Agent& leader = world.agents()[follower.leader.number];
   Agent& agent = world.walkingAgent(follower.id);
-  agent.leaves = leader.leaves;
-  if (leader.goals == follower.leader_goals) return;
-  follower.leader_goals = leader.goals;
-  const std::vector<Vector2> next(leader.goals.begin() + static_cast<std::ptrdiff_t>(leader.next_goal),
-                                  leader.goals.end());
-  agent.setGoals(goalsBeside(next, leader.pose.position, follower.number, agent.radius, world));
+  follower.goes_stepwise = follower.goes_stepwise || leader.goals != follower.leader_goals;
+  agent.leaves = leader.leaves && (!follower.goes_stepwise || leader.next_goal + 1 >= leader.goals.size());
+  if (!follower.goes_stepwise || follower.leader_goals == std::vector<Vector2>{leader.goal()}) return;
+  follower.leader_goals = {leader.goal()};
+  agent.setGoals(goalsBeside({leader.goal()}, leader.pose.position, follower.number, agent.radius, world));
   observer.extendWay(agent);
 }
 
@@ -106,6 +107,10 @@ void Followers::followRobot(const Follower& follower, World& world, RouteObserve
   if ((goal - agent.goal()).norm() < ROBOT_DISTANCE) return;
   world.walkingAgent(follower.id).setGoal(goal);
   observer.recordGoal(world.agents()[follower.id], goal);
+}
+
+bool Followers::contains(AgentId id) const {
+  return std::any_of(followers_.begin(), followers_.end(), [id](const Follower& each) { return each.id == id; });
 }
 
 void Followers::drop(AgentId id, World& world, RouteObserver& observer) {

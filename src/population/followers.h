@@ -14,10 +14,10 @@ namespace crowd {
 /// Call contract: as for Population, which owns it. Deterministic; depends only on the world. Not thread-safe.
 class Followers {
  public:
-  /// @param places must outlive the object
-  explicit Followers(const PlacePicker& places) : places_(&places) {}
+  explicit Followers(const PlacePicker& places) : places_(places) {}
 
   bool empty() const { return followers_.empty(); }
+  bool contains(AgentId id) const;
   /// @brief The goals of a follower: free places around those of its leader, the first ones to the left and to the
   /// right of it; those of the leader where there is no room.
   /// @param goals of the leader [m] @param from its place [m] @param number of the follower, from 0 @param radius [m]
@@ -38,8 +38,9 @@ class Followers {
   struct Follower {
     AgentId id = 0;
     Leader leader;
-    std::size_t number = 0;  // among the followers of this leader
-    std::vector<Vector2> leader_goals;
+    std::size_t number = 0;             // among the followers of this leader
+    std::vector<Vector2> leader_goals;  // that its own goals are beside
+    bool goes_stepwise = false;
   };
 
   void followAgent(Follower& follower, World& world, RouteObserver& observer) const;
@@ -50,7 +51,7 @@ class Followers {
   Vector2 goalBeside(const Vector2& goal, const Vector2& from, std::size_t number, double radius,
                      const World& world) const;
 
-  const PlacePicker* places_;
+  PlacePicker places_;
   std::vector<Follower> followers_;
 };
 

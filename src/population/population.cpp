@@ -7,6 +7,7 @@
 
 #include "geometry/limits.h"
 #include "population/entry_velocity.h"
+#include "population/facing.h"
 #include "population/route_check.h"
 #include "scenario/region_geometry.h"
 #include "social_crowd/errors.h"
@@ -29,10 +30,12 @@ KeyedRandom randomOf(std::uint64_t seed, Drawn what, std::uint64_t number) {
 Population::Population(const Scene& scene)
     : description_(scene.population ? scene.population : std::make_shared<const PopulationDescription>()),
       seed_(scene.population_seed),
-      places_(std::make_unique<const PlacePicker>(scene)),
-      followers_(*places_),
-      distraction_(scene.population_seed) {
-  if (scene.way_finding) ways_.emplace(scene);
+      places_(scene),
+      ways_(scene),
+      followers_(places_),
+      distraction_(seed_),
+      attractions_(scene, description_->attractions, seed_),
+      alarms_(description_->alarms) {
   for (const AgentStart& start : scene.agents) {
     const bool is_member = start.route || start.leader || start.reaction_time > 0.0;
     if (is_member || description_->pausesOf(start.kind)) starts_ = scene.agents;
@@ -93,6 +96,7 @@ Population::Member* Population::find(AgentId id) {
 void Population::begin(World& world, RouteObserver& observer) {
   for (std::size_t i = 0; i < starts_.size(); ++i) admit(static_cast<AgentId>(i), starts_[i], world, observer);
   starts_.clear();
+  raiseAlarms(world, observer);
   updateGates(world);
   spawn(world, observer);
 }
@@ -117,47 +121,14 @@ void Population::admit(AgentId id, const AgentStart& start, World& world, RouteO
 Vector2 Population::goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) {
   const WaypointDescription& waypoint = member.route->waypoint();
   if (waypoint.kind == Kind::PLACE) {
-    return places_->drawGoal(waypoint.place, from, radius, member.route->random(), world, reachIn(world));
+    return places_.drawGoal(waypoint.place, from, radius, member.route->random(), world, ways_.reachIn(world));
   }
   if (waypoint.kind == Kind::QUEUE) return queues_[waypoint.target].end();
   member.sink = waypoint.target;
-  if (waypoint.kind == Kind::SINK)
-    return places_->nearestIn(description_->sinks[member.sink].area, from, radius, world);
-  return nearestSink(member, from, radius, world);
-}
-
-Vector2 Population::nearestSink(Member& member, const Vector2& from, double radius, const World& world) {
-  Vector2 nearest = from;
-  std::optional<WayLengths::Way> shortest;
-  for (std::size_t sink = 0; sink < description_->sinks.size(); ++sink) {
-    const Vector2 place = places_->nearestIn(description_->sinks[sink].area, from, radius, world);
-    const WayLengths::Way way = wayTo(place, from, radius, world);
-    if (shortest && !(way < *shortest)) continue;
-    shortest = way;
-    nearest = place;
-    member.sink = sink;
-  }
-  return nearest;
-}
-
-WayLengths::Way Population::wayTo(const Vector2& place, const Vector2& from, double radius, const World& world) {
-  const WayLengths::Way straight{WayLengths::Kind::STRAIGHT, (place - from).norm()};
-  if (!ways_) return straight;
-  try {
-    return ways_->find(world, from, place, radius).value_or(straight);
-  } catch (const InputError&) {  // the floor is too large: the episode goes on without way-finding
-    return straight;
-  }
-}
-
-PlacePicker::Reach Population::reachIn(const World& world) {
-  return [this, &world](const Vector2& from, const Vector2& to, double radius) {
-    try {
-      return !ways_ || ways_->connects(world, from, to, radius);
-    } catch (const InputError&) {  // as above
-      return true;
-    }
-  };
+  if (waypoint.kind == Kind::SINK) return places_.nearestIn(description_->sinks[member.sink].area, from, radius, world);
+  const PlaceWays::Exit exit = ways_.nearestSink(description_->sinks, places_, from, radius, world);
+  member.sink = exit.sink;
+  return exit.place;
 }
 
 void Population::beginLeg(Member& member, World& world) {
@@ -201,6 +172,19 @@ void Population::hold(const Member& member, World& world) const {
   if (agent.isHeldBy(Hold::ROUTE) != is_held) world.walkingAgent(member.id).setHeld(Hold::ROUTE, is_held);
 }
 
+/// Those who wait at a place, or are served, look where they are to look.
+void Population::face(const Member& member, World& world) const {
+  if (!member.route) return;
+  const WaypointDescription& waypoint = member.route->waypoint();
+  const FacingDescription* face = nullptr;
+  if (waypoint.kind == Kind::QUEUE) {
+    face = queues_[waypoint.target].facingOf(member.id);
+  } else if (waypoint.face && member.route->isWaiting()) {
+    face = &*waypoint.face;
+  }
+  if (face != nullptr) turnTowards(*face, member.id, world);
+}
+
 void Population::serveQueues(World& world, RouteObserver& observer) {
   for (Queue& queue : queues_) {
     for (const AgentId id : queue.update(world)) advance(*find(id), world, observer);
@@ -226,7 +210,7 @@ void Population::completeStart(AgentId id, AgentStart& start, const World& world
 void Population::spawn(World& world, RouteObserver& observer) {
   for (AgentSource& source : sources_) {
     while (world.activeCount() < limits::BODIES) {
-      std::optional<AgentStart> start = source.next(world, *places_, reachIn(world));
+      std::optional<AgentStart> start = source.next(world, places_, ways_.reachIn(world));
       if (!start) break;
       world.stopRequest().throwIfMade();
       const auto id = static_cast<AgentId>(world.enteredCount());
@@ -251,7 +235,10 @@ void Population::updateAll(World& world, RouteObserver& observer) {
   for (Member& member : members_) walk(member, world, observer);
   serveQueues(world, observer);
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_gone), members_.end());
+  raiseAlarms(world, observer);
+  updateAttractions(world, observer);
   for (const Member& member : members_) hold(member, world);
+  for (const Member& member : members_) face(member, world);
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_done), members_.end());
   distraction_.update(world);
   spawn(world, observer);
@@ -287,9 +274,15 @@ void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways
     const Vector2 goal = goalOfLeg(candidate, agent.pose.position, agent.radius, world);
     ways->requireWay(name, world, agent.pose.position, goal, agent.radius);
   }
+  hold(beginRoute(id, description_->routes[*index], world, observer), world);
+}
+
+Population::Member& Population::beginRoute(AgentId id, const RouteDescription& route, World& world,
+                                           RouteObserver& observer) {
   world.walkingAgent(id);  // throws for unknown agents
   followers_.drop(id, world, observer);
   world.walkingAgent(id).leaves = false;
+  attractions_.leave(id, false, world);
   for (Queue& queue : queues_) queue.leave(id);
   Member* member = find(id);
   if (member == nullptr) {
@@ -298,15 +291,16 @@ void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways
     member->id = id;
   }
   // The goal of another route is not that of a leg of this one.
-  member->route.emplace(description_->routes[*index], randomOfRoute(id, world.tick()));
+  member->route.emplace(route, randomOfRoute(id, world.tick()));
   observer.setEndless(id, member->route->repeats());
   beginLeg(*member, world);
   observer.recordGoal(world.agents()[id], world.agents()[id].goal());
-  hold(*member, world);
+  return *member;
 }
 
 void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
   followers_.drop(id, world, observer);
+  attractions_.leave(id, false, world);
   Member* const member = find(id);
   if (member == nullptr || !member->route) return;
   for (Queue& queue : queues_) queue.leave(id);
@@ -319,7 +313,7 @@ void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
 void Population::adopt(const Scene& scene, PopulationDescription description) {
   earlier_.push_back(description_);
   description_ = std::make_shared<const PopulationDescription>(std::move(description));
-  if (ways_) ways_.emplace(scene);
+  ways_ = PlaceWays(scene);
 }
 
 void Population::addSource(const Scene& scene, const World& world) {

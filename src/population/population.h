@@ -8,10 +8,13 @@
 
 #include "navigation/way_lengths.h"
 #include "population/agent_source.h"
+#include "population/alarms.h"
+#include "population/attractions.h"
 #include "population/distraction.h"
 #include "population/followers.h"
 #include "population/gate.h"
 #include "population/place_picker.h"
+#include "population/place_ways.h"
 #include "population/queue.h"
 #include "population/route_follower.h"
 #include "population/route_observer.h"
@@ -20,7 +23,8 @@
 
 namespace crowd {
 
-/// @brief Runs the sources, sinks, routes, queues, gates, reaction times and pauses of an episode.
+/// @brief Runs the sources, sinks, routes, queues, gates, attractions, alarms, leaders, reaction times and pauses of an
+/// episode.
 ///
 /// Call contract: begin() before the first tick; update() after each tick, before it is measured; the other
 /// functions between two ticks. Deterministic; depends only on the scene and the world. Not thread-safe.
@@ -48,6 +52,10 @@ class Population {
   /// @brief Opens or closes a gate, see Gate. @return whether it is open now @throws InputError that lists the known
   /// names
   bool setGate(const std::string& gate, bool open, World& world);
+  /// @brief Lets people walk to a sink, or change their speed, now. Waits, queues and attractions end for those who
+  /// walk to a sink, and they do not stop at attractions any more. @return number of these people
+  /// @throws InputError if one of them would be faster than the greatest permitted speed; nothing is changed then
+  std::size_t raiseAlarm(AlarmDescription alarm, World& world, RouteObserver& observer);
   /// @brief Adds the last source, or the last gate, of a description that is otherwise the present one. A source begins
   /// now.
   void addSource(const Scene& scene, const World& world);
@@ -70,8 +78,8 @@ class Population {
 
   /// Whether there is nothing to update, as in scenes of agents with goals alone.
   bool isEmpty() const {
-    const bool has_none = members_.empty() && sources_.empty() && queues_.empty() && gates_.empty();
-    return has_none && followers_.empty() && distraction_.isEmpty();
+    return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty() && attractions_.empty() &&
+           !alarms_.arePending() && followers_.empty() && distraction_.isEmpty();
   }
   void updateAll(World& world, RouteObserver& observer);
   /// Uses this description from now on. The one before is kept, because queues, gates and routes refer to it.
@@ -82,18 +90,20 @@ class Population {
   void admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer);
   /// Returns the goal of an agent's present leg, and sets its sink.
   Vector2 goalOfLeg(Member& member, const Vector2& from, double radius, const World& world);
-  /// Returns a place in the sink with the shortest way, and sets the member's sink.
   void chooseGoalsOfFollowers(Scene& scene, const World& world) const;
   bool isEndless(const Leader& leader, const World& world) const;
-  Vector2 nearestSink(Member& member, const Vector2& from, double radius, const World& world);
-  /// The way to a place; without way-finding the straight line.
-  WayLengths::Way wayTo(const Vector2& place, const Vector2& from, double radius, const World& world);
-  PlacePicker::Reach reachIn(const World& world);
   void beginLeg(Member& member, World& world);
   /// Goes on to the next waypoint, or lets the agent leave at the end of its route.
   void advance(Member& member, World& world, RouteObserver& observer);
   void walk(Member& member, World& world, RouteObserver& observer);
   void hold(const Member& member, World& world) const;
+  void face(const Member& member, World& world) const;
+  /// Lets an agent walk a route, which must outlive it, in place of what it does.
+  Member& beginRoute(AgentId id, const RouteDescription& route, World& world, RouteObserver& observer);
+  /// Raises an alarm by its number.
+  std::size_t raise(std::size_t number, World& world, RouteObserver& observer);
+  void raiseAlarms(World& world, RouteObserver& observer);
+  void updateAttractions(World& world, RouteObserver& observer);
   void serveQueues(World& world, RouteObserver& observer);
   void completeStart(AgentId id, AgentStart& start, const World& world);
   void spawn(World& world, RouteObserver& observer);
@@ -101,15 +111,17 @@ class Population {
   std::shared_ptr<const PopulationDescription> description_;
   std::vector<std::shared_ptr<const PopulationDescription>> earlier_;  // descriptions, which others refer to
   std::uint64_t seed_;
-  std::unique_ptr<const PlacePicker> places_;  // `followers_` refers to it, also when the population moves
+  PlacePicker places_;
+  PlaceWays ways_;
   Followers followers_;
-  std::optional<WayLengths> ways_;  // with way-finding
+  Distraction distraction_;
   std::vector<AgentStart> starts_;  // until begin()
   std::vector<AgentSource> sources_;
   std::vector<Queue> queues_;
   std::vector<Gate> gates_;
+  Attractions attractions_;
+  Alarms alarms_;
   std::vector<Member> members_;  // by ascending id
-  Distraction distraction_;
 };
 
 }  // namespace crowd

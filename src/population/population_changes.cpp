@@ -20,7 +20,8 @@ PopulationDescription populationOf(const Scene& scene) {
 
 /// Writes a population as in a scenario file and reads it, so that the checks are those of the reader.
 void requireReadable(const PopulationDescription& population) {
-  const YamlMap map(YAML::Load(populationText(population)), {}, {"routes", "sources", "sinks", "queues", "gates"});
+  const YamlMap map(YAML::Load(populationText(population)), {},
+                    {"routes", "sources", "sinks", "queues", "gates", "attractions", "alarms"});
   readSources(map, Units(), readPopulation(map));
 }
 
@@ -65,8 +66,16 @@ PopulationDescription withSource(const Scene& scene, const SourceDescription& so
   alone.source = "the scenario";
   alone.walls = walls;
   alone.map = scene.map;
+  for (const RobotStart& robot : scene.robots) alone.robots.emplace_back().start = robot;
   alone.population = std::make_shared<const PopulationDescription>(placesFor(source, scene));
   requireField("sources[0]", [&] { checkPopulation(alone); });
+  return population;
+}
+
+PopulationDescription withAlarm(const Scene& scene, const AlarmDescription& alarm) {
+  PopulationDescription population = populationOf(scene);
+  population.alarms.push_back(alarm);
+  requireField("alarms[" + std::to_string(population.alarms.size() - 1) + "]", [&] { requireReadable(population); });
   return population;
 }
 

@@ -18,4 +18,7 @@ PopulationDescription withSource(const Scene& scene, const SourceDescription& so
 /// @brief The same with another gate. @throws InputError also if there is a gate of this name
 PopulationDescription withGate(const Scene& scene, const GateDescription& gate);
 
+/// @brief The same with another alarm.
+PopulationDescription withAlarm(const Scene& scene, const AlarmDescription& alarm);
+
 }  // namespace crowd

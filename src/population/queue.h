@@ -33,6 +33,10 @@ class Queue {
   bool stands(AgentId id, const World& world) const;
   /// @brief The place where an agent that joins now walks to [m].
   Vector2 end() const;
+  /// @brief Where an agent looks; null if it is not at the head, or looks ahead.
+  const FacingDescription* facingOf(AgentId id) const {
+    return queue_->face && !line_.empty() && line_.front() == id ? &*queue_->face : nullptr;
+  }
   /// @brief The agents in line, the first one is at the head.
   const std::vector<AgentId>& line() const { return line_; }
 

@@ -22,6 +22,8 @@ class RouteObserver {
   /// @brief Adds the way from an agent's position to its goal, that of the next leg of its route, to its straight
   /// length.
   virtual void extendWay(const Agent& agent) = 0;
+  /// @brief Adds what a further place [m] on the way of an agent to its goal lengthens this way by.
+  virtual void addDetour(const Agent& agent, const Vector2& place) = 0;
   /// @brief Counts a waypoint that an agent leaves behind.
   virtual void countWaypoint(AgentId id) = 0;
   /// @brief Whether the agent is on a route that repeats.

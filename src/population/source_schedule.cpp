@@ -8,6 +8,8 @@ SourceSchedule::SourceSchedule(const SourceDescription& source, const KeyedRando
 
 bool SourceSchedule::isOver() const { return next_ == INFINITE; }
 
+void SourceSchedule::end() { next_ = INFINITE; }
+
 void SourceSchedule::advance() {
   ++number_;
   next_ = timeOf(number_, next_);

@@ -20,6 +20,8 @@ class SourceSchedule {
   bool isOver() const;
   /// @brief Goes on to the agent after the next one.
   void advance();
+  /// @brief Ends it: there is no next agent.
+  void end();
 
  private:
   double timeOf(std::uint64_t number, double before) const;

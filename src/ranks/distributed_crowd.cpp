@@ -43,7 +43,7 @@ DistributedCrowd::Reach::Reach(const Scene& scene, const Vision& vision, double 
   double speed = 0.0;
   double radius = 0.0;
   for (const AgentStart& start : scene.agents) {
-    speed = std::max(speed, start.max_speed);
+    speed = std::max(speed, start.walkingSpeed());
     radius = std::max(radius, start.radius);
   }
   for (const Obstacle& obstacle : scene.obstacles) {  // agents that are pushed are as fast

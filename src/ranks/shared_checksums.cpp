@@ -46,6 +46,7 @@ std::string checksumOf(const Scene& scene) {
     write(start.heading);
     write(start.goals);
     write(start.max_speed);
+    write(start.hurry);
     write(start.radius);
     write(start.velocity);
     write(start.group);

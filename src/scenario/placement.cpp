@@ -267,8 +267,8 @@ void Placement::completeAgents() {
     agent.heading = wrapAngle(agent.heading);
     agent.keeps_heading = group.keeps_heading;
     agent.velocity = group.velocity;
-    const Range& reaction = group.reaction_time;
-    agent.reaction_time = reaction.isFixed() ? reaction.low : reaction.draw(random_);
+    agent.reaction_time = group.reaction_time.drawUnlessFixed(random_);
+    agent.hurry = group.hurry.drawUnlessFixed(random_);
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "common/text/numbers.h"
 #include "geometry/impact.h"
+#include "geometry/limits.h"
 #include "geometry/wall_index.h"
 #include "maps/occupancy_map.h"
 #include "scenario/population_spec.h"
@@ -25,15 +26,17 @@ class PopulationCheck {
   explicit PopulationCheck(const Scenario& scenario)
       : scenario_(scenario), population_(*scenario.population), walls_(allWalls(scenario)) {
     if (scenario.map) frame_.emplace(*scenario.map);
-    for (const AgentGroup& group : scenario.agents) largest_ = std::max(largest_, group.radius.high);
-    for (const SourceDescription& source : population_.sources) {
-      largest_ = std::max(largest_, source.agents.radius.high);
-    }
+    for (const AgentGroup& group : scenario.agents) include(group);
+    for (const SourceDescription& source : population_.sources) include(source.agents);
   }
 
   void run() const;
 
  private:
+  void include(const AgentGroup& group) {
+    largest_ = std::max(largest_, group.radius.high);
+    fastest_ = std::max(fastest_, group.max_speed.high);
+  }
   static std::vector<Segment> allWalls(const Scenario& scenario) {
     std::vector<Segment> walls = scenario.walls;
     if (scenario.map_walls) walls.insert(walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
@@ -44,6 +47,9 @@ class PopulationCheck {
   /// @param field name of the region, such as sources[0].area
   void require(const Region& region, double radius, int line, const std::string& field) const;
   void requireWaypoint(const WaypointDescription& waypoint, double radius, const std::string& field) const;
+  void requireSpeed(std::size_t number) const;
+  /// The robot that agents are to look at must be there.
+  void requireRobot(const std::optional<FacingDescription>& face, int line, const std::string& field) const;
   /// The radius of the largest agent that begins on a route; that of all agents if there is none.
   double radiusOnRoute(std::size_t route) const;
 
@@ -52,6 +58,7 @@ class PopulationCheck {
   WallIndex walls_;
   std::optional<CellFrame> frame_;  // of the map, if there is one
   double largest_ = 0.0;            // radius of all agents [m]
+  double fastest_ = 0.0;            // speed of all agents [m/s]
 };
 
 bool PopulationCheck::fits(const Vector2& place, double radius) const {
@@ -80,9 +87,20 @@ void PopulationCheck::require(const Region& region, double radius, int line, con
 void PopulationCheck::requireWaypoint(const WaypointDescription& waypoint, double radius,
                                       const std::string& field) const {
   if (waypoint.kind == Kind::PLACE) require(waypoint.place, radius, waypoint.line, field + ".place");
+  requireRobot(waypoint.face, waypoint.line, field);
   for (std::size_t i = 0; i < waypoint.alternatives.size(); ++i) {
     requireWaypoint(waypoint.alternatives[i], radius, field + ".one_of[" + std::to_string(i) + "]");
   }
+}
+
+void PopulationCheck::requireRobot(const std::optional<FacingDescription>& face, int line,
+                                   const std::string& field) const {
+  if (!face || face->kind != FacingDescription::Kind::ROBOT) return;
+  std::vector<std::string> names;
+  for (const RobotGroup& robot : scenario_.robots) names.push_back(robot.start.name);
+  if (std::find(names.begin(), names.end(), face->robot) != names.end()) return;
+  throw InputError(scenario_.source + ", line " + std::to_string(line) + ": " + field +
+                   ".face.robot: " + unknownNameText("robot", face->robot, names));
 }
 
 double PopulationCheck::radiusOnRoute(std::size_t route) const {
@@ -95,7 +113,17 @@ double PopulationCheck::radiusOnRoute(std::size_t route) const {
   return radius > 0.0 ? radius : largest_;
 }
 
+/// Nobody may be faster than the greatest permitted speed.
+void PopulationCheck::requireSpeed(std::size_t number) const {
+  const AlarmDescription& alarm = population_.alarms[number];
+  if (fastest_ * alarm.speed_factor <= limits::SPEED.most) return;
+  throw InputError(scenario_.source + ", line " + std::to_string(alarm.line) + ": alarms[" + std::to_string(number) +
+                   "].speed_factor: expected one with which agents walk at most " + toText(limits::SPEED.most) +
+                   " m/s, got " + toText(alarm.speed_factor));
+}
+
 void PopulationCheck::run() const {
+  for (std::size_t i = 0; i < population_.alarms.size(); ++i) requireSpeed(i);
   for (std::size_t i = 0; i < population_.sources.size(); ++i) {
     const AgentGroup& group = population_.sources[i].agents;
     const std::string field = "sources[" + std::to_string(i) + "]";
@@ -116,6 +144,11 @@ void PopulationCheck::run() const {
     Region head;
     head.first = queue.head;
     require(head, largest_, queue.line, "queues." + queue.name + ".head");
+    requireRobot(queue.face, queue.line, "queues." + queue.name);
+  }
+  for (const AttractionDescription& attraction : population_.attractions) {
+    require(attraction.area, largest_, attraction.line, "attractions." + attraction.name + ".area");
+    requireRobot(attraction.face, attraction.line, "attractions." + attraction.name);
   }
 }
 

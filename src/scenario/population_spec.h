@@ -14,6 +14,15 @@ namespace crowd {
 /// @brief Times that differ by less are equal [s]; allows for the rounding of tick times.
 constexpr double TIME_ROUNDING = 1e-9;
 
+/// @brief Where an agent looks while it stands: in a direction, to a point, or to a robot.
+struct FacingDescription {
+  enum class Kind { DIRECTION, POINT, ROBOT };
+  Kind kind = Kind::DIRECTION;
+  double direction = 0.0;           ///< [degrees], as in the file
+  Vector2 point = Vector2::Zero();  ///< [m], `map`
+  std::string robot;                ///< its name
+};
+
 /// @brief One entry under `waypoints` of a route: where an agent goes next.
 struct WaypointDescription {
   /// PLACE: `place`, and `wait` there. QUEUE: in line at queue number `target`. SINK: out of the world at sink number
@@ -23,6 +32,7 @@ struct WaypointDescription {
   Kind kind = Kind::PLACE;
   Region place;                                   ///< drawn for each agent and each time
   Range wait;                                     ///< [s]
+  std::optional<FacingDescription> face;          ///< while it waits
   std::size_t target = 0;                         ///< index of the queue or sink
   std::vector<WaypointDescription> alternatives;  ///< none of them is a ONE_OF
 };
@@ -45,11 +55,12 @@ struct SinkDescription {
 /// @brief One entry under `queues`: a line in which agents wait to be served.
 struct QueueDescription {
   std::string name;
-  int line = 0;                    ///< in the file, for messages
-  Vector2 head = Vector2::Zero();  ///< place of the agent that is served [m]
-  double direction = 0.0;          ///< in which the line extends [degrees], as in the file
-  double spacing = 0.0;            ///< between the centres of agents in line [m]
-  Range service;                   ///< time at the head [s]
+  int line = 0;                           ///< in the file, for messages
+  Vector2 head = Vector2::Zero();         ///< place of the agent that is served [m]
+  double direction = 0.0;                 ///< in which the line extends [degrees], as in the file
+  double spacing = 0.0;                   ///< between the centres of agents in line [m]
+  Range service;                          ///< time at the head [s]
+  std::optional<FacingDescription> face;  ///< of the agent at the head
 
   /// @brief Place number `index` of the line, 0 at the head [m].
   Vector2 place(std::size_t index) const {
@@ -86,6 +97,28 @@ struct SourceDescription {
   std::uint64_t count = std::numeric_limits<std::uint64_t>::max();  ///< largest number of agents
 };
 
+/// @brief One entry under `attractions`: a place at which a share of the passers-by stops, such as a shop window.
+struct AttractionDescription {
+  std::string name;
+  int line = 0;                           ///< in the file, for messages
+  Region area;                            ///< where they stand; a point, box or ring
+  double radius = 0.0;                    ///< distance from the area at which people notice it [m]
+  double share = 0.0;                     ///< probability that one who notices it stops
+  Range wait;                             ///< [s]
+  std::optional<FacingDescription> face;  ///< while they wait; absent: the middle of the area
+};
+
+/// @brief One entry under `alarms`, or a request: people walk to a sink at once, or only change their speed.
+struct AlarmDescription {
+  int line = 0;                           ///< in the file, for messages
+  double time = 0.0;                      ///< [s]
+  std::optional<Region> area;             ///< of the people, and of the sources, that it concerns; absent: all
+  std::optional<RouteDescription> route;  ///< to the sink; absent: people keep their goals and routes
+  double speed_factor = 1.0;              ///< in place of their `hurry`
+  Range reaction_time;                    ///< people stand for it first [s]
+  bool keeps_sources = false;             ///< with a route: no source ends
+};
+
 /// @brief Everything in a scenario that acts on agents during an episode. Immutable once it is read.
 struct PopulationDescription {
   std::vector<RouteDescription> routes;
@@ -94,6 +127,8 @@ struct PopulationDescription {
   std::vector<QueueDescription> queues;
   std::vector<GateDescription> gates;
   std::vector<PersonKind> kinds;  ///< of people; those that agents and sources name
+  std::vector<AttractionDescription> attractions;
+  std::vector<AlarmDescription> alarms;
 
   /// @brief Whether nothing acts on agents during an episode.
   bool empty() const;
@@ -103,6 +138,15 @@ struct PopulationDescription {
 
 /// @brief "there is no route 'NAME'", a suggestion, and the known names.
 std::string unknownNameText(const std::string& what, const std::string& name, const std::vector<std::string>& known);
+
+/// @brief The key that stands for the sink with the shortest way, unless a sink has this name.
+constexpr const char* NEAREST_SINK = "nearest";
+
+/// @brief The waypoint of a sink by its name, or of the nearest one. @throws InputError if there is none
+WaypointDescription sinkWaypoint(const std::string& name, const std::vector<SinkDescription>& sinks);
+
+/// @brief The route of people who walk to a sink because of an alarm.
+RouteDescription alarmRoute(const WaypointDescription& sink);
 
 /// @brief Index of the description with this name, if there is one.
 template <typename Descriptions>

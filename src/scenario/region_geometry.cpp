@@ -28,6 +28,10 @@ Vector2 nearestPoint(const Region& region, const Vector2& point) {
   return region.first + std::clamp(distance, region.radius.low, region.radius.high) * outward;
 }
 
+Vector2 middleOf(const Region& region) {
+  return region.kind == Region::Kind::BOX ? Vector2(0.5 * (region.first + region.second)) : region.first;
+}
+
 Region shrink(const Region& region, double margin) {
   Region inner = region;
   if (region.kind == Region::Kind::BOX) {

@@ -17,6 +17,9 @@ bool contains(const Region& region, const Vector2& point);
 /// @brief The point of a point, box or ring that is nearest to another one [m]. Not for FREE.
 Vector2 nearestPoint(const Region& region, const Vector2& point);
 
+/// @brief The middle of a point, box or ring [m]. Not for FREE.
+Vector2 middleOf(const Region& region);
+
 /// @brief A region without the margin along its edge [m]; at least the middle is left. Not for FREE.
 Region shrink(const Region& region, double margin);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scenario/region_geometry.h"
+
 namespace crowd {
 namespace {
 
@@ -37,7 +39,7 @@ class Reach {
   }
   bool includes(const Region& region) const {
     if (region.kind == Region::Kind::FREE) return true;
-    return includes(region.kind == Region::Kind::BOX ? Vector2(0.5 * (region.first + region.second)) : region.first);
+    return includes(middleOf(region));
   }
 
   const FreeSpace& free_space_;

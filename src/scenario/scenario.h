@@ -23,6 +23,8 @@ struct Range {
   double low = 0.0;
   double high = 0.0;
   double draw(KeyedRandom& random) const { return random.uniform(low, high); }
+  /// @brief As draw(), but takes no random number if the value is fixed, so that other draws stay the same.
+  double drawUnlessFixed(KeyedRandom& random) const { return isFixed() ? low : draw(random); }
   bool isFixed() const { return low == high; }
 };
 
@@ -77,6 +79,7 @@ struct AgentGroup {
   Range reaction_time;                                     ///< [s], see AgentStart
   std::optional<LeaderDescription> leader = std::nullopt;  ///< instead of goals
   GroupShare groups;                                       ///< of agents that share the goals of the first one
+  Range hurry{1.0, 1.0};                                   ///< factor of the speed
   /// Where its agents can walk, for drawing places; null: nothing is drawn, or nothing is in the way.
   std::shared_ptr<const FloorReach> reach = nullptr;
 };

@@ -74,6 +74,10 @@ struct AgentStart {
   GroupId group = NO_GROUP;                         ///< walks with the others of this group
   double reaction_time = 0.0;                       ///< it stands until this time has passed since it appeared [s]
   bool faces_goal = false;                          ///< with a route: `heading` is to be towards the first goal
+  double hurry = 1.0;                               ///< factor of `max_speed`, see walkingSpeed()
+
+  /// @brief The maximum speed at the start [m/s].
+  double walkingSpeed() const { return max_speed * hurry; }
 };
 
 /// @brief A disc that follows its path and never yields.

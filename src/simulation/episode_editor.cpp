@@ -49,6 +49,15 @@ bool EpisodeEditor::setGate(const std::string& gate, bool open) {
   return is_open;
 }
 
+std::size_t EpisodeEditor::raiseAlarm(AlarmDescription alarm) {
+  alarm.time = 0.0;
+  PopulationDescription population = withAlarm(episode_.scene_, alarm);
+  const std::size_t count = episode_.population_.raiseAlarm(std::move(alarm), world_, episode_.monitor_);
+  episode_.scene_.population = std::make_shared<const PopulationDescription>(std::move(population));
+  note({});
+  return count;
+}
+
 void EpisodeEditor::adopt(PopulationDescription population) {
   episode_.scene_.population = std::make_shared<const PopulationDescription>(std::move(population));
   episode_.way_finder_ = WayFinder(episode_.scene_);

@@ -27,6 +27,9 @@ class EpisodeEditor final : public WorldEditor {
   /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later. @return whether it is
   /// open now
   bool setGate(const std::string& gate, bool open);
+  /// @brief Lets people walk to a sink at once, or change their speed; a document of the scene has the alarm at its
+  /// start. @param alarm its time is not used @return number of these people
+  std::size_t raiseAlarm(AlarmDescription alarm);
   /// @brief Adds a source, which begins now. @param source as read from a scenario file @return its index
   std::size_t addSource(const SourceDescription& source);
   /// @brief Adds a gate. @throws InputError also if there is one of its name

@@ -52,6 +52,12 @@ void EpisodeMonitor::extendWay(const Agent& agent) {
   tracks_[agent.id].result.straight_length += (agent.goal() - agent.pose.position).norm();
 }
 
+void EpisodeMonitor::addDetour(const Agent& agent, const Vector2& place) {
+  const Vector2& position = agent.pose.position;
+  tracks_[agent.id].result.straight_length +=
+      (place - position).norm() + (agent.goal() - place).norm() - (agent.goal() - position).norm();
+}
+
 void EpisodeMonitor::observe(const World& world, ThreadPool& thread_pool) {
   ticks_ = world.tick();
   tracks_.keepOnly(world.agents(), [this](AgentId id, const Track& track) { left_.add(id) = resultOf(track); });

@@ -35,6 +35,7 @@ class EpisodeMonitor final : public RouteObserver {
   void watch(const AgentStart& start, const World& world) override;
   void recordGoal(const Agent& agent, const Vector2& goal) override;
   void extendWay(const Agent& agent) override;
+  void addDetour(const Agent& agent, const Vector2& place) override;
   void countWaypoint(AgentId id) override { ++tracks_[id].result.waypoints; }
   void setEndless(AgentId id, bool endless) override { tracks_[id].result.endless = endless; }
 

@@ -18,7 +18,7 @@ constexpr double CONTACT_OVERLAP = 1e-3;
 enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
 
 /// @brief Why an agent stands, or brakes, whatever its actions.
-enum class Hold : std::uint8_t { ROUTE, PAUSE, GROUP };
+enum class Hold : std::uint8_t { ROUTE, PAUSE, GROUP, ATTRACTION };
 
 /// @brief Why an agent walks faster or slower than its own speed.
 enum class Pace : std::uint8_t { HURRY, DISTRACTION, GROUP };
@@ -32,9 +32,10 @@ struct Agent {
         pose{start.position, wrapAngle(start.heading)},
         ahead(unitVector(pose.heading)),
         velocity(start.velocity),
-        max_speed(start.max_speed),
+        max_speed(start.walkingSpeed()),
         own_speed(start.max_speed),
-        wanted_speed(start.max_speed),
+        wanted_speed(start.walkingSpeed()),
+        paces{start.hurry, 1.0, 1.0},
         radius(start.radius),
         kind(start.kind),
         figure(start.figure),
@@ -92,6 +93,11 @@ struct Agent {
     wanted_speed = own_speed;
     for (const double pace : paces) wanted_speed *= pace;
   }
+  /// @brief Changes the direction in which it looks [rad].
+  void setHeading(double heading) {
+    pose.heading = wrapAngle(heading);
+    ahead = unitVector(pose.heading);
+  }
   /// @brief The present goal, or the last one after arrival [m], `map`.
   const Vector2& goal() const { return present_goal; }
   /// @brief What the agent perceives as its goal: the waypoint if it has one, else goal() [m], `map`.
@@ -108,6 +114,16 @@ struct Agent {
     at_goal = false;
     ++goal_number;
   }
+  /// @brief Adds a goal before the present one [m], `map`.
+  void insertGoal(const Vector2& goal) {
+    goals.insert(goals.begin() + static_cast<std::ptrdiff_t>(next_goal), goal);
+    beginGoal();
+  }
+  /// @brief Goes on to the goal after the present one. There must be one.
+  void passGoal() {
+    ++next_goal;
+    beginGoal();
+  }
   /// @brief Sets the point that the agent perceives in place of its goal, which remains the point where it arrives,
   /// until it reaches the goal or gets another one [m], `map`.
   void setWaypoint(const Vector2& place) {
@@ -123,8 +139,8 @@ struct Agent {
   }
   /// @brief Puts the agent at another place at once, where it stands. @param place in `map`
   void teleport(const Pose& place) {
-    pose = {place.position, wrapAngle(place.heading)};
-    ahead = unitVector(pose.heading);
+    pose.position = place.position;
+    setHeading(place.heading);
     velocity = Vector2::Zero();
     has_waypoint = false;
     at_goal = false;
@@ -132,6 +148,11 @@ struct Agent {
   }
 
  private:
+  void beginGoal() {
+    present_goal = goals[next_goal];
+    has_waypoint = false;
+    ++goal_number;
+  }
   static unsigned bitOf(Hold reason) { return 1U << static_cast<unsigned>(reason); }
 };
 

@@ -249,10 +249,7 @@ inline void World::beginMove(Agent& agent, const RelativeAction* action) const {
   agent.acted = action != nullptr && agent.isWalking() && !agent.isHeld() && !agent.yielding;
   agent.blocked = false;
   if (!agent.acted) return hold(agent, action);
-  if (action->rotation != 0.0) {
-    agent.pose.heading = wrapAngle(agent.pose.heading + action->rotation);
-    agent.ahead = unitVector(agent.pose.heading);
-  }
+  if (action->rotation != 0.0) agent.setHeading(agent.pose.heading + action->rotation);
   agent.velocity = action->speed_fraction * agent.max_speed * agent.ahead;
   if (contact_ == Contact::GHOST) agent.pose.position += tick_duration_ * agent.velocity;
 }
@@ -293,17 +290,12 @@ inline void World::endMove(std::size_t position, std::size_t& arrivals) {
   agent.collided = agent.collided || agent.in_collision;
   agent.touched = agent.touched || agent.in_contact;
   if ((agent.goal() - agent.pose.position).norm() > goal_tolerance_) return;
-  if (++agent.next_goal < agent.goals.size()) {
-    agent.present_goal = agent.goals[agent.next_goal];
-    agent.has_waypoint = false;
-    ++agent.goal_number;
-    return;
-  }
+  if (agent.next_goal + 1 < agent.goals.size()) return agent.passGoal();
   if (!agent.leaves) {
-    agent.next_goal = agent.goals.size() - 1;
     agent.at_goal = true;
     return;
   }
+  ++agent.next_goal;
   agent.status = AgentStatus::ARRIVED;
   agent.arrival_tick = tick_;
   ++arrivals;

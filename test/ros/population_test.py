@@ -1,5 +1,7 @@
 #!/usr/bin/python3
-"""Sources, sinks, routes, queues, gates and reaction times through ROS, and the services set_route and set_gate."""
+"""What people do, through ROS, and the services set_route, set_gate and alarm."""
+import math
+
 import support
 from controlling import QUIET, ControllerTestCase
 from geometry_msgs.msg import Point, Pose2D
@@ -22,12 +24,13 @@ AGENTS
 routes:
   shopping:
     waypoints:
-      - {place: {box: [[1, 1], [5, 3]]}, wait: [1, 4]}
+      - {place: {box: [[1, 1], [5, 3]]}, wait: [1, 4], face: -90}
       - {queue: till}
       - {one_of: [{sink: north}, {sink: south}]}
   rounds: {repeat: true, waypoints: [{place: {box: [[1, 5], [5, 7]]}, wait: 2}, {place: [4, 4]}]}
 sources:
-  - {area: {box: [[0.5, 3], [1.5, 5]]}, rate: 0.5, from: 1, until: 30, route: shopping, speed: [1.0, 1.5], radius: 0.2}
+  - {area: {box: [[0.5, 3], [1.5, 5]]}, rate: 0.5, from: 1, until: 30, route: shopping, speed: [1.0, 1.5],
+     hurry: [0.9, 1.2], radius: 0.2, groups: {share: 0.5}}
   - {area: [3, 3.5], times: [3, 3, 9], goal: [11, 4], kind: {reader: 1, child: 1, luggage: 1}}
 kinds:
   reader: {speed: {mean: 1.3, deviation: 0.3, range: [1, 1.6]}, radius: 0.25, pauses: {every: 2, duration: [1, 2]}}
@@ -35,9 +38,13 @@ sinks:
   north: {area: {box: [[10, 7], [11.5, 8]]}}
   south: {area: {box: [[10, 0], [11.5, 1]]}}
 queues:
-  till: {head: [8, 6], direction: 180, spacing: 0.6, service: [1, 3]}
+  till: {head: [8, 6], direction: 180, spacing: 0.6, service: [1, 3], face: [8, 7]}
 gates:
   door: {wall: [[6, 3.2], [6, 4.8]], open: [[10, 20], [23, 40]]}
+attractions:
+  window: {area: {box: [[1, 6], [4, 7.5]]}, radius: 3, share: 0.5, wait: [1, 4]}
+alarms:
+  - {time: 33, area: {box: [[6, 0], [12, 8]]}, sink: nearest, speed_factor: 1.2, reaction_time: [0, 2]}
 """
 WALKERS = """agents:
   - {count: 4, position: {box: [[1, 5], [3, 7]]}, route: rounds, speed: 1.2, radius: 0.2, reaction_time: [0, 4]}"""
@@ -48,6 +55,21 @@ routes:
 gates:
   door: {wall: [[50, 45], [50, 55]], open: false}
   hatch: {wall: [[60, 50], [61, 50]], open: true}
+sinks:
+  west: {area: [-8, 0]}
+  east: {area: [30, 5]}
+"""
+
+LOOK = """
+name: look
+duration: 20
+goal_tolerance: 0.3
+agents:
+  - {position: [0, 0], route: tour, speed: 0.5, radius: 0.25}
+routes:
+  tour: {waypoints: [{place: [0.4, 0], wait: 9, face: {robot: rob}}, {place: [9, 0]}]}
+robots:
+  - {name: rob, position: [0.2, 5], radius: 0.3, max_speed: 1, perceived: false}
 """
 
 
@@ -189,6 +211,44 @@ class ServicesTest(ControllerTestCase):
         self.walk(1)
         walls.wait(lambda message: list(message.numbers) == [1])
         self.refuse('set_gate', 'gate', 'door, hatch', gate='tunnel', open=True)
+
+    def test_an_alarm(self):
+        self.start_all(ROUTES)
+        self.step(2)
+        response = self.do('alarm', all=True, sink='nearest', speed_factor=2)
+        self.assertEqual(response.agents, 2)
+        self.assert_says(response.message, '2 people walk to a sink')
+        message = self.walk(2)
+        self.assertEqual([(agent.goal.x, agent.goal.y) for agent in message.agents], [(-8, 0), (-8, 0)])
+        before = self.places(message)[0]
+        message = self.walk(20)
+        self.assertAlmostEqual(math.dist(before, self.places(message)[0]), 2.0, delta=0.1)  # at 1 m/s
+
+    def test_an_alarm_in_a_box(self):
+        self.start_all(ROUTES)
+        box = {'lower': Point(-1, 9, 0), 'upper': Point(9, 11, 0)}
+        response = self.do('alarm', sink='east', speed_factor=1, **box)
+        self.assertEqual(response.agents, 1)
+        self.assertEqual([(agent.goal.x, agent.goal.y) for agent in self.walk().agents], [(20, 0), (30, 5)])
+        response = self.do('alarm', speed_factor=0.5, **box)
+        self.assert_says(response.message, '1 person walk')
+
+    def test_refused_alarms(self):
+        self.start_all(ROUTES)
+        self.refuse('alarm', 'speed_factor: expected a number above 0', all=True, sink='nearest')
+        self.refuse('alarm', "there is no sink 'wst', did you mean 'west'?", all=True, sink='wst', speed_factor=1)
+        self.refuse('alarm', 'lower left corner', sink='west', speed_factor=1, lower=Point(1, 0, 0))
+        self.assert_place(self.walk(), 0, 0.05, 0.0)
+
+    def test_a_scenario_without_sinks(self):
+        self.start_all()
+        self.refuse('alarm', 'no sinks', all=True, sink='nearest', speed_factor=1)
+
+    def test_where_people_look(self):
+        self.start_all(LOOK)
+        message = self.walk(20)
+        agent, = message.agents
+        self.assertAlmostEqual(agent.pose.theta, math.atan2(5 - agent.pose.y, 0.2 - agent.pose.x), places=9)
 
 
 class DeparturesTest(ControllerTestCase):

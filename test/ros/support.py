@@ -39,6 +39,7 @@ SERVICES = {
     'set_gate': srv.SetGate,
     'add_gate': srv.AddGate,
     'add_source': srv.AddSource,
+    'alarm': srv.Alarm,
     'add_wall': srv.AddWall,
     'remove_wall': srv.RemoveWall,
     'spawn_obstacle': srv.SpawnObstacle,

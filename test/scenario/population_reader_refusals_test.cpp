@@ -27,7 +27,7 @@ void sourceSays(const std::string& entries, const std::string& expected) {
 TEST(PopulationRefusals, Sources) {
   sourceSays("rate: 1, rat: 2",
              "sources[0]: unknown key 'rat', did you mean 'rate'? Known are area, rate, times, interval, from, until, "
-             "count, goal, goals, route, kind, speed, radius, groups");
+             "count, goal, goals, route, kind, speed, hurry, radius, groups");
   sourceSays("count: 3", "sources[0]: expected either rate or times, got neither");
   sourceSays("rate: 1, times: [1]", "sources[0]: expected either rate or times, got both");
   sourceSays("rate: -1", "sources[0].rate: expected a number above 0, got '-1'");
@@ -106,6 +106,71 @@ TEST(PopulationRefusals, SinksQueuesAndGates) {
   says("gates: {door: {wall: [[2, 0], [3, 0]], open: [[3, 1]]}}",
        "gates.door.open[0]: expected [begin, end] with the earlier time first");
   says("gates: {door: {wall: [[2, 0], [3, 0]]}}", "gates.door: the key 'open' is missing");
+}
+
+TEST(PopulationRefusals, Faces) {
+  const auto stop = [](const std::string& entries) {
+    return "routes: {home: {waypoints: [{place: [1, 1], " + entries + "}]}}";
+  };
+  const std::string field = "routes.home.waypoints[0].face: ";
+  says(stop("wait: 3, face: up"), field + "expected a number, got 'up'");
+  says(stop("wait: 3, face: {robt: rob}"), field + "expected degrees, [x, y] or {robot: NAME}, got a map");
+  says(stop("wait: 3, face: [1]"), field + "expected [x, y], got a list of 1");
+  says(stop("face: 90"), field + "a face goes with a wait only");
+  says(stop("wait: 3, face: {robot: rob}"),
+       "routes.home.waypoints[0].face.robot: there is no robot 'rob'; the scenario has no robots");
+  says("queues: {till: {head: [1, 1], direction: 0, spacing: 1, service: 1, face: {robot: rob}}}",
+       "queues.till.face.robot: there is no robot 'rob'; the scenario has no robots");
+  says("routes: {home: {waypoints: [{sink: out, face: 90}]}}\nsinks: {out: {area: [5, 5]}}",
+       "routes.home.waypoints[0].face: a face goes with a place only");
+}
+
+TEST(PopulationRefusals, Attractions) {
+  const auto window = [](const std::string& entries) { return "attractions: {window: {" + entries + "}}"; };
+  says(window("radius: 3, share: 1, wait: 1"), "attractions.window: the key 'area' is missing");
+  says(window("area: [9, 9], radius: 0, share: 1, wait: 1"),
+       "attractions.window.radius: expected a number above 0, got '0'");
+  says(window("area: [9, 9], radius: 3, share: 1.1, wait: 1"),
+       "attractions.window.share: expected a number from 0 to 1, got '1.1'");
+  says(window("area: [9, 9], radius: 3, share: 1"), "attractions.window: the key 'wait' is missing");
+  says(window("area: {map: free}, radius: 3, share: 1, wait: 1"),
+       "attractions.window.area: expected [x, y], {box: ...} or {ring: ...}, got a map");
+  says(window("area: [9, 9], radius: 3, share: 1, wait: 1, face: {robot: rob}"),
+       "attractions.window.face.robot: there is no robot 'rob'; the scenario has no robots");
+  says(window("area: [9, 9], radius: 3, share: 1, wait: 1") + "\nwalls: [[[8, 9], [10, 9]]]",
+       "attractions.window.area: expected a place where an agent of radius 0.25 m fits, got one in a wall or nearer to "
+       "one");
+}
+
+TEST(PopulationRefusals, Alarms) {
+  const auto alarm = [](const std::string& entries) { return "alarms: [{" + entries + "}]"; };
+  const std::string sinks = "\nsinks: {out: {area: [5, 5]}}";
+  says(alarm("area: all"), "alarms[0]: the key 'time' is missing");
+  says(alarm("time: 1"), "alarms[0]: the key 'area' is missing");
+  says(alarm("time: 1, area: everywhere"), "alarms[0].area: expected all, {box: ...} or {ring: ...}, got 'everywhere'");
+  says(alarm("time: 1, area: [1, 1]"), "alarms[0].area: expected all, {box: ...} or {ring: ...}, got a list of 2");
+  says(alarm("time: 1, area: all, sink: nearest"), "alarms[0].sink: the scenario has no sinks");
+  says(alarm("time: 1, area: all, sink: ot") + sinks,
+       "alarms[0].sink: there is no sink 'ot', did you mean 'out'? Known are out");
+  says(alarm("time: 1, area: all, speed_factor: 0"), "alarms[0].speed_factor: expected a number above 0, got '0'");
+  says(alarm("time: 1, area: all, speed_factor: 10.5"), "alarms[0].speed_factor: expected at most 10, got '10.5'");
+  says(alarm("time: 1, area: all, reaction_time: 3"), "alarms[0].reaction_time: goes with a sink only");
+  says(alarm("time: 1, area: all, keep_sources: true"), "alarms[0].keep_sources: goes with a sink only");
+  says(alarm("time: 1, area: all, speed_factor: 6") +
+           "\nsources: [{area: [9, 9], rate: 1, goal: [1, 9], speed: 200, radius: 0.2}]",
+       "alarms[0].speed_factor: expected one with which agents walk at most 1000 m/s, got 6");
+}
+
+TEST(PopulationRefusals, Hurry) {
+  const std::string person = "position: [0, 0], goal: [1, 1], speed: 200, radius: 0.2, ";
+  const std::string field = "s.yaml: document 1, line 5: agents[0].";
+  EXPECT_EQ(scenario_texts::agentError(person + "hurry: 0"), field + "hurry: expected a number above 0, got '0'");
+  EXPECT_EQ(scenario_texts::agentError(person + "hurry: [2, 1]"),
+            field + "hurry: expected [low, high], got the higher number first");
+  EXPECT_EQ(scenario_texts::agentError(person + "hurry: [1, 6]"),
+            field + "hurry: expected a factor with which `speed` is at most 1000 m/s, got a list of 2");
+  EXPECT_EQ(scenario_texts::agentError(person + "hurry: 0.5, velocity: [0, 150]"),
+            field + "velocity: expected a velocity of at most `speed` times `hurry`, got a list of 2");
 }
 
 TEST(PopulationRefusals, PlacesInWalls) {

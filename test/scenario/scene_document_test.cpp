@@ -127,24 +127,32 @@ TEST(SceneDocument, Populations) {
   const std::string keys = R"(duration: 60
 goal_tolerance: 0.3
 agents:
-  - {position: [0.5, 0.5], route: 'anna''s', reaction_time: 12.5, speed: 1, radius: 0.25, heading: 90}
+  - {position: [0.5, 0.5], route: 'anna''s', reaction_time: 12.5, speed: 1, hurry: 1.25, radius: 0.25, heading: 90}
 routes:
-  'anna''s': {repeat: true, waypoints: [{place: {box: [[0, 0], [4, 2]]}, wait: [5, 20]}, {place: [1, 2], wait: 0}]}
-  'out': {waypoints: [{one_of: [{queue: 'till'}, {place: {ring: {centre: [1, 2], radius: [0, 3]}}, wait: 1}]}, {sink: 'exit'}]}
+  'anna''s': {repeat: true, waypoints: [{place: {box: [[0, 0], [4, 2]]}, wait: [5, 20]}, {place: [1, 2], wait: 0}, {place: [2, 2], wait: 3, face: -37.5}]}
+  'out': {waypoints: [{one_of: [{queue: 'till'}, {place: {ring: {centre: [1, 2], radius: [0, 3]}}, wait: 1, face: [3, 0.5]}]}, {sink: 'exit'}]}
   'flight': {waypoints: [{sink: nearest}]}
 sources:
   - {area: {box: [[0, 0], [1, 2]]}, rate: 0.5, interval: regular, from: 3, until: 60, count: 100, goals: [[9, 9]], speed: [1, 1.5], radius: 0.2}
-  - {area: [7, 7], times: [1, 2.5], route: 'out', speed: 1, radius: 0.2}
+  - {area: [7, 7], times: [1, 2.5], route: 'out', speed: 1, hurry: [1, 1.5], radius: 0.2}
   - {area: [7, 7], rate: 1, from: 0, goal: {opposite: [0, 0]}, speed: 1, radius: 0.2}
 sinks:
   'exit': {area: {box: [[10, 0], [11, 2]]}}
 queues:
-  'till': {head: [3, 2], direction: 37, spacing: 0.5, service: [5, 20]}
+  'till': {head: [3, 2], direction: 37, spacing: 0.5, service: [5, 20], face: {robot: 'rob'}}
 gates:
   'door': {wall: [[2, 0], [3, 0]], open: true}
   'bar': {wall: [[5, 0], [6, 0]], open: [[10, 20], [40, 60]]}
+attractions:
+  'window': {area: {box: [[5, 5], [7, 6]]}, radius: 4, share: 0.25, wait: [5, 20], face: 90}
+  'stall': {area: [8, 5], radius: 4, share: 1, wait: 3}
+alarms:
+  - {time: 30, area: all, sink: nearest, speed_factor: 1.5, reaction_time: [0, 20]}
+  - {time: 40, area: {ring: {centre: [1, 2], radius: [0, 3]}}, sink: 'exit', speed_factor: 1, keep_sources: true}
+  - {time: 50.5, area: all, speed_factor: 0.5}
 )";
-  const Scene scene = parseScenarios("name: n\n" + keys, "s.yaml").scene(1, 0);
+  const std::string robots = "robots: [{name: rob, position: [20, 20], radius: 0.3, max_speed: 1}]\n";
+  const Scene scene = parseScenarios("name: n\n" + robots + keys, "s.yaml").scene(1, 0);
   const std::string text = toDocument(scene, ".");
   EXPECT_EQ(toDocument(readBack(scene), "."), text);
   const std::string sections = keys.substr(keys.find("routes:"));

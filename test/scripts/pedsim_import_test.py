@@ -101,6 +101,11 @@ class ConversionTest:
         assert scenario_of(runner, HALL)['queues'] == {
             'till': {'head': [10, 5], 'direction': 180, 'spacing': 0.5, 'service': [0.2, 1.8]}}
 
+    def test_attractions(self, runner):
+        """1 - exp(-0.02 x 3 x 7 / 1.34) = 0.269; the mean of 0 to 66.7 s is that of 0.03 losses a second."""
+        assert scenario_of(runner, HALL)['attractions'] == {
+            'shop': {'area': {'box': [[4, 8.5], [6, 9.5]]}, 'radius': 7, 'share': 0.269, 'wait': [0, 66.7]}}
+
     def test_sources(self, runner):
         """Two people each 5 s, 10 s, from the end of the first period on."""
         for options, period in ((), 5), (('--spawn-period', '10'), 10):
@@ -152,7 +157,7 @@ class NotesTest:
     """What is not carried over is listed, on the screen and in the file."""
 
     NOTES = [
-        (9, 'attraction shop: not carried over: people do not stop at attractions'),
+        (9, 'attraction shop: people stop there once, and only if they see it'),
         (14, "agent: the waypoints after the sink 'way out' are not carried over"),
         (19, "agent: a robot is a person here, with the size and speed of pedsim_ros's SOCIAL_DRIVE"),
         (20, 'agent: without waypoints it stands still: carried over as an obstacle'),
@@ -175,6 +180,8 @@ class NotesTest:
     @pytest.mark.parametrize('element, words', [
         ('<obstacle x1="1" y1="1" x2="1" y2="1"/>', 'obstacle: not carried over: it has no length'),
         ('<robot/>', 'robot: not carried over: unknown'),
+        ('<attraction id="info" x="1" y="1" width="2" height="1" strength="0"/>',
+         'attraction info: not carried over: its strength is 0'),
         ('<waypoint id="in" x="1" y="1" r="1" b="1"/>', 'waypoint in: b=1 (source) not carried over'),
         ('<agent x="1" y="1" n="0"/>', 'agent: not carried over: n is 0'),
         ('<source x="1" y="1" n="5"/>', 'source: not carried over: it has no waypoints'),
@@ -199,6 +206,9 @@ class ErrorsTest:
         ('r="1.5"', 'r="-1"', "hall.xml:5: waypoint: r: expected a number of 0 or more, got '-1'"),
         ('b="2"', 'b="3"', 'hall.xml:7: waypoint: b: expected 0 (simple), 1 (source) or 2 (sink), got 3'),
         ('id="east" x="18"', 'id="west" x="18"', "hall.xml:6: waypoint: the id 'west' is used in line 5 already"),
+        ('strength="3"', 'strength="-1"',
+         "hall.xml:9: attraction: strength: expected a number of 0 or more, got '-1'"),
+        ('width="2" ', '', "hall.xml:9: attraction: the attribute 'width' is missing"),
         ('n="3"', 'n="1.5"', "hall.xml:10: agent: n: expected a whole number, got '1.5'"),
         ('type="3"', 'type="9"',
          'hall.xml:14: agent: type: expected one of 0 (adult), 1 (child), 2 (robot), 3 (elder), got 9'),

@@ -3,6 +3,7 @@
 #include <social_crowd/AddGate.h>
 #include <social_crowd/AddSource.h>
 #include <social_crowd/AddWall.h>
+#include <social_crowd/Alarm.h>
 #include <social_crowd/MoveObstacle.h>
 #include <social_crowd/RemoveAgent.h>
 #include <social_crowd/RemoveObstacle.h>
@@ -45,6 +46,24 @@ SourceDescription sourceOf(const social_crowd::AddSource::Request& request, cons
     if (!source.agents.route) throw InputError(unknownNameText("route", request.route, namesOf(routes)));
   }
   return source;
+}
+
+AlarmDescription alarmOf(const social_crowd::Alarm::Request& request, const Episode& episode) {
+  AlarmDescription alarm;
+  if (!request.all) {
+    Region& box = alarm.area.emplace();
+    box.kind = Region::Kind::BOX;
+    box.first = fromPoint(request.lower);
+    box.second = fromPoint(request.upper);
+  }
+  if (!request.sink.empty()) {
+    const auto& population = episode.scene().population;
+    alarm.route =
+        alarmRoute(sinkWaypoint(request.sink, population ? population->sinks : std::vector<SinkDescription>()));
+  }
+  alarm.speed_factor = request.speed_factor;
+  alarm.keeps_sources = request.keep_sources != 0;
+  return alarm;
 }
 
 std::string newGateName(const Episode& episode) {
@@ -140,6 +159,11 @@ void CrowdController::advertiseWorldServices() {
   serveEdit<social_crowd::AddSource>(names::ADD_SOURCE, [this](auto& editor, const auto& request, auto& response) {
     response.source = static_cast<std::uint32_t>(editor.addSource(sourceOf(request, *episode_)));
     return "source " + std::to_string(response.source) + " added at ";
+  });
+  serveEdit<social_crowd::Alarm>(names::ALARM, [this](auto& editor, const auto& request, auto& response) {
+    response.agents = static_cast<std::uint32_t>(editor.raiseAlarm(alarmOf(request, *episode_)));
+    const std::string people = std::to_string(response.agents) + (response.agents == 1 ? " person" : " people");
+    return people + (request.sink.empty() ? " walk at another speed since " : " walk to a sink since ");
   });
   serveEdit<social_crowd::AddGate>(names::ADD_GATE, [this](auto& editor, const auto& request, auto& response) {
     GateDescription gate = gateOf(request);

@@ -13,6 +13,7 @@ AgentStart startOf(const Agent& agent, const Scene& scene) {
   start.heading = agent.pose.heading;
   start.goals.assign(agent.goals.begin() + static_cast<std::ptrdiff_t>(agent.next_goal), agent.goals.end());
   start.max_speed = agent.own_speed;
+  start.hurry = agent.paces[static_cast<std::size_t>(Pace::HURRY)];
   start.radius = agent.radius;
   start.kind = agent.kind;
   start.figure = agent.figure;

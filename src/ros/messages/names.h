@@ -59,6 +59,7 @@ constexpr const char* SET_ROUTE = "set_route";
 constexpr const char* SET_GATE = "set_gate";
 constexpr const char* ADD_SOURCE = "add_source";
 constexpr const char* ADD_GATE = "add_gate";
+constexpr const char* ALARM = "alarm";
 constexpr const char* TELEPORT = "teleport";
 constexpr const char* ADD_WALL = "add_wall";
 constexpr const char* REMOVE_WALL = "remove_wall";

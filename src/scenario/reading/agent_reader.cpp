@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "common/text/numbers.h"
 #include "scenario/reading/group_reader.h"
 #include "scenario/reading/kind_reader.h"
 #include "scenario/reading/list_reader.h"
@@ -62,7 +63,9 @@ void readFirstVelocity(const YamlMap& map, const Units& units, AgentGroup& group
   const YamlPlace place = map.placeOf("velocity");
   const Vector2 velocity = readVector(node, place, units.limit(limits::VELOCITY));
   group.velocity = {units.speed(velocity.x()), units.speed(velocity.y())};
-  if (group.velocity.norm() > group.max_speed.low) throwExpected(place, node, "a velocity of at most `speed`");
+  if (group.velocity.norm() > group.max_speed.low * group.hurry.low)
+    throwExpected(place, node,
+                  map.has("hurry") ? "a velocity of at most `speed` times `hurry`" : "a velocity of at most `speed`");
 }
 
 }  // namespace
@@ -76,12 +79,18 @@ void readWalk(const YamlMap& map, const Units& units, const PopulationDescriptio
     group.max_speed = units.speed(readRange(map.need("speed"), map.placeOf("speed"), units.limit(limits::SPEED)));
   }
   if (!group.radius_of_kind) group.radius = readRange(map.need("radius"), map.placeOf("radius"), limits::RADIUS);
+  const YAML::Node hurry = map.find("hurry");
+  if (!hurry) return;
+  group.hurry = readRange(hurry, map.placeOf("hurry"), limits::PACE);
+  if (group.max_speed.high * group.hurry.high <= limits::SPEED.most) return;
+  throwExpected(map.placeOf("hurry"), hurry,
+                "a factor with which `speed` is at most " + toText(limits::SPEED.most) + " m/s");
 }
 
 AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units,
                       const PopulationDescription& population) {
   const YamlMap map(node, place,
-                    {"position", "goal", "goals", "route", "kind", "speed", "radius", "heading", "velocity",
+                    {"position", "goal", "goals", "route", "kind", "speed", "hurry", "radius", "heading", "velocity",
                      "reaction_time", "count", "leader", "groups"});
   AgentGroup group;
   group.line = lineOf(node);

@@ -11,7 +11,8 @@ namespace crowd {
 AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Units& units,
                       const PopulationDescription& population);
 
-/// @brief Reads `goal`, `goals` or `route`, `kind`, `speed` and `radius` of a map, which must have declared them.
+/// @brief Reads `goal`, `goals` or `route`, `kind`, `speed`, `hurry` and `radius` of a map, which must have declared
+/// them.
 void readWalk(const YamlMap& map, const Units& units, const PopulationDescription& population, AgentGroup& group);
 
 }  // namespace crowd

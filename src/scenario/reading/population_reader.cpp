@@ -1,5 +1,6 @@
 #include "scenario/reading/population_reader.h"
 
+#include "scenario/reading/facing_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/region_reader.h"
 
@@ -9,20 +10,18 @@ namespace {
 SinkDescription readSink(const YAML::Node& node, const YamlPlace& place) {
   const YamlMap map(node, place, {"area"});
   SinkDescription sink;
-  sink.area = readRegion(map.need("area"), map.placeOf("area"), "[x, y], {box: ...} or {ring: ...}");
-  if (sink.area.kind == Region::Kind::FREE) {
-    throwExpected(map.placeOf("area"), map.need("area"), "[x, y], {box: ...} or {ring: ...}");
-  }
+  sink.area = readArea(map);
   return sink;
 }
 
 QueueDescription readQueue(const YAML::Node& node, const YamlPlace& place) {
-  const YamlMap map(node, place, {"head", "direction", "spacing", "service"});
+  const YamlMap map(node, place, {"head", "direction", "spacing", "service", "face"});
   QueueDescription queue;
   queue.head = readVector(map.need("head"), map.placeOf("head"), limits::PLACE);
   queue.direction = map.number("direction", NumberRule::ANY);
   queue.spacing = map.number("spacing", limits::DISTANCE);
   queue.service = readRange(map.need("service"), map.placeOf("service"), NumberRule::NOT_NEGATIVE);
+  queue.face = readFacing(map);
   return queue;
 }
 
@@ -65,8 +64,19 @@ PopulationDescription readPopulation(const YamlMap& map) {
   population.sinks = readNamed<SinkDescription>(map.find("sinks"), map.placeOf("sinks"), readSink);
   population.queues = readNamed<QueueDescription>(map.find("queues"), map.placeOf("queues"), readQueue);
   population.gates = readNamed<GateDescription>(map.find("gates"), map.placeOf("gates"), readGate);
+  population.attractions = readAttractions(map);
   population.routes = readRoutes(map, population);
+  population.alarms = readAlarms(map, population.sinks);
   return population;
+}
+
+WaypointDescription readSinkName(const YamlMap& map, const std::vector<SinkDescription>& sinks) {
+  const std::string name = map.text("sink");
+  try {
+    return sinkWaypoint(name, sinks);
+  } catch (const InputError& error) {
+    throwProblem(map.placeOf("sink"), map.need("sink"), error.what());
+  }
 }
 
 }  // namespace crowd

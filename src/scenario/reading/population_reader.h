@@ -7,7 +7,8 @@
 
 namespace crowd {
 
-/// @brief Reads `sinks`, `queues`, `gates` and `routes` of a scenario document, which must have declared these keys.
+/// @brief Reads `sinks`, `queues`, `gates`, `attractions`, `routes` and `alarms` of a scenario document, which must
+/// have declared these keys.
 /// @throws InputError with file, document, line and field, as all functions of this file do
 PopulationDescription readPopulation(const YamlMap& map);
 
@@ -17,6 +18,15 @@ std::vector<SourceDescription> readSources(const YamlMap& map, const Units& unit
 
 /// @brief Reads `routes`. @param population its sinks and queues are known by name
 std::vector<RouteDescription> readRoutes(const YamlMap& map, const PopulationDescription& population);
+
+/// @brief Reads `attractions`.
+std::vector<AttractionDescription> readAttractions(const YamlMap& map);
+
+/// @brief Reads `alarms`. @param sinks are known by name
+std::vector<AlarmDescription> readAlarms(const YamlMap& map, const std::vector<SinkDescription>& sinks);
+
+/// @brief Reads `sink`, the name of one or the nearest one, as a waypoint.
+WaypointDescription readSinkName(const YamlMap& map, const std::vector<SinkDescription>& sinks);
 
 /// @brief Reads the name of one of the descriptions, such as that of a route. @param key also names the kind in
 /// messages

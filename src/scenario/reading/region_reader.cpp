@@ -93,6 +93,14 @@ YAML::Node findOnly(const std::string& key, const YAML::Node& node, const YamlPl
   return has_one ? YamlMap(node, place).find(key) : YAML::Node(YAML::NodeType::Undefined);
 }
 
+Region readArea(const YamlMap& map) {
+  const std::string expected = "[x, y], {box: ...} or {ring: ...}";
+  const YAML::Node node = map.need("area");
+  Region area = readRegion(node, map.placeOf("area"), expected);
+  if (area.kind == Region::Kind::FREE) throwExpected(map.placeOf("area"), node, expected);
+  return area;
+}
+
 std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place) {
   if (!node.IsSequence() || node.size() == 0) {
     throwExpected(place, node, "a list of one or more points");

@@ -16,6 +16,9 @@ Range readRange(const YAML::Node& node, const YamlPlace& place, const NumberLimi
 Region readRegion(const YAML::Node& node, const YamlPlace& place,
                   const std::string& expected = "[x, y], {box: ...}, {ring: ...} or {map: free}");
 
+/// @brief Reads `area`, a region that is not {map: free}.
+Region readArea(const YamlMap& map);
+
 /// @brief Reads a list of one or more regions.
 std::vector<Region> readRegions(const YAML::Node& node, const YamlPlace& place);
 

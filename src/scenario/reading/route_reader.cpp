@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <string>
 
+#include "scenario/reading/facing_reader.h"
 #include "scenario/reading/list_reader.h"
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/region_reader.h"
@@ -8,8 +10,6 @@ namespace crowd {
 namespace {
 
 using Kind = WaypointDescription::Kind;
-
-constexpr const char* NEAREST = "nearest";
 
 /// Reads the waypoints of the routes of one document.
 class RouteReader {
@@ -21,7 +21,6 @@ class RouteReader {
  private:
   WaypointDescription readWaypoint(const YAML::Node& node, const YamlPlace& place) const;
   WaypointDescription readAlternative(const YAML::Node& node, const YamlPlace& place) const;
-  void readSink(const YamlMap& map, WaypointDescription& waypoint) const;
 
   const PopulationDescription& population_;
 };
@@ -32,31 +31,35 @@ bool isSink(const WaypointDescription& waypoint) {
          std::any_of(others.begin(), others.end(), isSink);
 }
 
-void RouteReader::readSink(const YamlMap& map, WaypointDescription& waypoint) const {
-  const bool nearest = map.text("sink") == NEAREST && !findName(population_.sinks, NEAREST);
-  if (nearest && population_.sinks.empty()) {
-    throwProblem(map.placeOf("sink"), map.need("sink"), "the scenario has no sinks");
+/// Reads the wait at a place, and where the agent looks in it.
+void readStay(const YamlMap& map, WaypointDescription& waypoint) {
+  for (const char* key : {"wait", "face"}) {
+    if (map.has(key) && !map.has("place")) {
+      throwProblem(map.placeOf(key), map.need(key), "a " + std::string(key) + " goes with a place only");
+    }
   }
-  waypoint.kind = nearest ? Kind::NEAREST_SINK : Kind::SINK;
-  if (!nearest) waypoint.target = readNameOf(population_.sinks, map, "sink");
+  if (map.has("wait")) waypoint.wait = readRange(map.need("wait"), map.placeOf("wait"), NumberRule::NOT_NEGATIVE);
+  waypoint.face = readFacing(map);
+  if (!waypoint.face || waypoint.wait.high > 0.0) return;
+  throwProblem(map.placeOf("face"), map.need("face"), "a face goes with a wait only");
 }
 
 WaypointDescription RouteReader::readWaypoint(const YAML::Node& node, const YamlPlace& place) const {
-  const YamlMap map(node, place, {"place", "wait", "queue", "one_of", "sink"});
+  const YamlMap map(node, place, {"place", "wait", "face", "queue", "one_of", "sink"});
   WaypointDescription waypoint;
   waypoint.line = lineOf(node);
   const int kinds = map.has("place") + map.has("queue") + map.has("one_of") + map.has("sink");
   if (kinds != 1) throwProblem(place, node, "expected one of place, queue, one_of and sink");
-  const YAML::Node wait = map.find("wait");
-  if (wait && !map.has("place")) throwProblem(map.placeOf("wait"), wait, "a wait goes with a place only");
+  readStay(map, waypoint);
   if (map.has("place")) {
     waypoint.place = readRegion(map.need("place"), map.placeOf("place"));
-    if (wait) waypoint.wait = readRange(wait, map.placeOf("wait"), NumberRule::NOT_NEGATIVE);
   } else if (map.has("queue")) {
     waypoint.kind = Kind::QUEUE;
     waypoint.target = readNameOf(population_.queues, map, "queue");
   } else if (map.has("sink")) {
-    readSink(map, waypoint);
+    const WaypointDescription sink = readSinkName(map, population_.sinks);
+    waypoint.kind = sink.kind;
+    waypoint.target = sink.target;
   } else {
     waypoint.kind = Kind::ONE_OF;
     const auto read = [this](const YAML::Node& entry, const YamlPlace& at) { return readAlternative(entry, at); };

@@ -130,7 +130,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
                      "contact",  "order",       "seed",        "agents",   "obstacles",      "walls",
                      "map",      "free_radius", "way_finding", "routes",   "sources",        "sinks",
                      "queues",   "gates",       "robots",      "ends",     "motion",         "groups",
-                     "recorded", "kinds"});
+                     "recorded", "kinds",       "attractions", "alarms"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");

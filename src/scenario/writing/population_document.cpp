@@ -21,6 +21,19 @@ std::string regionText(const Region& region) {
   return pointText(region.first);
 }
 
+/// ", KEY: VALUE", or nothing if it is the default.
+std::string optionalText(const std::string& key, const Range& range, const Range& otherwise = {}) {
+  const bool is_default = range.low == otherwise.low && range.high == otherwise.high;
+  return is_default ? "" : ", " + key + ": " + rangeText(range);
+}
+
+std::string faceText(const std::optional<FacingDescription>& face) {
+  using FaceKind = FacingDescription::Kind;
+  if (!face) return "";
+  if (face->kind == FaceKind::ROBOT) return ", face: {robot: " + quotedYaml(face->robot) + "}";
+  return ", face: " + (face->kind == FaceKind::POINT ? pointText(face->point) : toText(face->direction));
+}
+
 /// "text(first), text(second), ..."
 template <typename List, typename Text>
 std::string listText(const List& list, const Text& text) {
@@ -37,17 +50,22 @@ std::string section(const std::string& key, const List& list, const Text& text) 
   return joined.empty() ? "" : key + ":\n" + joined;
 }
 
+std::string sinkText(const WaypointDescription& waypoint, const PopulationDescription& population) {
+  const bool is_nearest = waypoint.kind == Kind::NEAREST_SINK;
+  return "sink: " + (is_nearest ? std::string(NEAREST_SINK) : quotedYaml(population.sinks[waypoint.target].name));
+}
+
 std::string waypointText(const WaypointDescription& waypoint, const PopulationDescription& population) {
   const auto alternative = [&](const WaypointDescription& other) { return waypointText(other, population); };
   switch (waypoint.kind) {
     case Kind::PLACE:
-      return "{place: " + regionText(waypoint.place) + ", wait: " + rangeText(waypoint.wait) + "}";
+      return "{place: " + regionText(waypoint.place) + ", wait: " + rangeText(waypoint.wait) + faceText(waypoint.face) +
+             "}";
     case Kind::QUEUE:
       return "{queue: " + quotedYaml(population.queues[waypoint.target].name) + "}";
     case Kind::SINK:
-      return "{sink: " + quotedYaml(population.sinks[waypoint.target].name) + "}";
     case Kind::NEAREST_SINK:
-      return "{sink: nearest}";
+      return "{" + sinkText(waypoint, population) + "}";
     case Kind::ONE_OF:
       break;
   }
@@ -91,10 +109,27 @@ std::string sourcesText(const PopulationDescription& population) {
     text += "  - {area: " + regionText(source.agents.position) + ", " + scheduleText(source) + ", " +
             goalText(source.agents, population) + kindText(source.agents, population) +
             (source.agents.speed_of_kind ? "" : ", speed: " + rangeText(source.agents.max_speed)) +
+            optionalText("hurry", source.agents.hurry, {1.0, 1.0}) +
             (source.agents.radius_of_kind ? "" : ", radius: " + rangeText(source.agents.radius)) +
             sharesText(source.agents.groups) + "}\n";
   }
   return text.empty() ? "" : "sources:\n" + text;
+}
+
+std::string attractionText(const AttractionDescription& attraction) {
+  return "area: " + regionText(attraction.area) + ", radius: " + toText(attraction.radius) +
+         ", share: " + toText(attraction.share) + ", wait: " + rangeText(attraction.wait) + faceText(attraction.face);
+}
+
+std::string alarmsText(const PopulationDescription& population) {
+  std::string text;
+  for (const AlarmDescription& alarm : population.alarms) {
+    const std::string sink = alarm.route ? ", " + sinkText(alarm.route->waypoints.front(), population) : "";
+    text += "  - {time: " + toText(alarm.time) + ", area: " + (alarm.area ? regionText(*alarm.area) : "all") + sink +
+            ", speed_factor: " + toText(alarm.speed_factor) + optionalText("reaction_time", alarm.reaction_time) +
+            (alarm.keeps_sources ? ", keep_sources: true" : "") + "}\n";
+  }
+  return text.empty() ? "" : "alarms:\n" + text;
 }
 
 }  // namespace
@@ -127,11 +162,12 @@ std::string populationText(const PopulationDescription& population) {
   const auto sink = [](const SinkDescription& each) { return "area: " + regionText(each.area); };
   const auto queue = [](const QueueDescription& each) {
     return "head: " + pointText(each.head) + ", direction: " + toText(each.direction) +
-           ", spacing: " + toText(each.spacing) + ", service: " + rangeText(each.service);
+           ", spacing: " + toText(each.spacing) + ", service: " + rangeText(each.service) + faceText(each.face);
   };
   return section("routes", population.routes, route) + sourcesText(population) +
          section("sinks", population.sinks, sink) + section("queues", population.queues, queue) +
-         section("gates", population.gates, gateText);
+         section("gates", population.gates, gateText) + section("attractions", population.attractions, attractionText) +
+         alarmsText(population);
 }
 
 }  // namespace crowd
