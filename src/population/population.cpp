@@ -267,7 +267,7 @@ void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways
   if (ways != nullptr && world.isActive(id)) {
     const Agent& agent = world.agents()[id];
     const std::string name = "agent " + std::to_string(id);
-    RouteCheck(name, agent.radius, *description_, *places_, *ways, world)
+    RouteCheck(name, agent.radius, *description_, places_, *ways, world)
         .require(description_->routes[*index], agent.pose.position);
     Member candidate;
     candidate.route.emplace(description_->routes[*index], randomOfRoute(id, world.tick()));
