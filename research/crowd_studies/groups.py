@@ -49,8 +49,8 @@ def groups_of(agents):
 
 
 def neighbours_of(places):
-    """Returns, of places [time, member, 2] of a group at steps of a tick, the times at which it walks: distances [m] and
-    angles [degrees] of those side by side, from the line across the direction of motion, and the largest distances."""
+    """Returns, of places [time, member, 2] of a group in each tick, for the times at which it walks: distances [m] of
+    neighbours, angles [degrees] from the line across the direction of motion, and the largest distances."""
     centre = places.mean(axis=1)
     motion = centre[STEP:] - centre[:-STEP]
     length = numpy.linalg.norm(motion, axis=1)
@@ -97,8 +97,8 @@ def measure(walk, scene, size, episodes, folder):
 
 
 def main(words=None):
-    parser = parser_of('groups', 'Measures groups of two to four people in a hall, a corridor and at a door, and updates '
-                       'the tables of docs/groups.md.', EXAMPLE)
+    parser = parser_of('groups', 'Measures groups of two to four people in a hall, a corridor and at a door, and '
+                       'updates the tables of docs/groups.md.', EXAMPLE)
     parser.add_argument('--episodes', type=positive, default=8, metavar='N',
                         help='episodes of each scene and each radius (default: %(default)s)')
     add_file(parser, '--document', default=PAGE, metavar='FILE.md', help='page whose tables are updated')

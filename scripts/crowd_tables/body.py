@@ -25,8 +25,8 @@ def with_line(contents, pattern, replacement):
 
 def with_body(contents, keys, personal_space=0.0):
     """Returns the contents of a Q-table file with another personal space [m] in its state set, and other keys after
-    `lookout` in its action set, such as 'time_gap: 0.9, time_gap_width: 0.8', in the order of the file. Throws ValueError
-    if it is not one."""
+    `lookout` in its action set, such as 'time_gap: 0.9, time_gap_width: 0.8', in the order of the file. Throws
+    ValueError if it is not one."""
     space = b', personal_space: %g' % personal_space if personal_space else b''
     added = b', ' + keys.encode() if keys else b''
     contents = with_line(contents, rb'^(state_set: \{type: anticipation,.*?)(, personal_space: [^,}]*)?\}$',

@@ -131,7 +131,8 @@ Worst walk(const Walk& how, std::uint64_t seed) {
     std::vector<AgentAction> actions;
     for (std::size_t i = 0; i < seen.agents.size(); ++i) {
       const AgentId id = seen.agents[i].agent;
-      world.walkingAgent(id).setHeld(Hold::ROUTE, KeyedRandom(seed, KeyedRandom::TIES, {tick / 8, id}).uniform() < how.held);
+      world.walkingAgent(id).setHeld(Hold::ROUTE,
+                                     KeyedRandom(seed, KeyedRandom::TIES, {tick / 8, id}).uniform() < how.held);
       KeyedRandom random(seed, KeyedRandom::EXPLORATION, {tick, id});
       const Action action = random.uniform() < 0.5 ? 0 : random.below(goal_relative.size());
       if (random.uniform() < how.missing) continue;
