@@ -12,28 +12,22 @@ constexpr std::size_t LANES = CandidateVelocities::LANES;
 static_assert(LANES == simd::CandidateArrays::MAX, "size that kernels expect");
 static_assert(NeighbourList::PADDING >= simd::NeighbourArrays::PADDING, "kernels read this far beyond the end");
 
-constexpr double SPACE_SHARE = 0.8;  // of the present gap, which personal space takes at most
+constexpr double SPACE_SHARE = 0.8;  // of the gap to the nearest other agent, which personal space takes at most
 
-/// Calls take(agents) with larger radii, for some agents at a time.
-template <typename Take>
-void withPersonalSpace(const simd::NeighbourArrays& agents, double own_radius, double personal_space,
-                       const Take& take) {
-  constexpr std::size_t BLOCK = simd::NeighbourArrays::PADDING;
-  std::array<double, 2 * BLOCK> radii = {};  // kernels read beyond the last one
-  for (std::size_t first = 0; first < agents.count; first += BLOCK) {
-    const std::size_t count = std::min(BLOCK, agents.count - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      const double radius = agents.radii[first + i];
-      const double gap = Vector2(agents.xs[first + i], agents.ys[first + i]).norm() - own_radius - radius;
-      radii[i] = radius + std::clamp(SPACE_SHARE * gap, 0.0, personal_space);
-    }
-    take({agents.xs + first, agents.ys + first, agents.vxs + first, agents.vys + first, radii.data(), count});
+/// The personal space that an agent keeps now: as crowded as it is [m].
+double keptSpace(const Perception& seen, double personal_space) {
+  if (personal_space <= 0.0) return 0.0;
+  for (const Neighbour& neighbour : seen.neighbours) {  // nearest rim first
+    if (neighbour.kind != NeighbourKind::AGENT) continue;
+    const double gap = neighbour.position.norm() - seen.self.radius - neighbour.radius;
+    return std::clamp(SPACE_SHARE * gap, 0.0, personal_space);
   }
+  return 0.0;
 }
 
 void accumulateAgents(const simd::NeighbourArrays& agents, const AgentPerception& self, const Vector2& preferred,
-                      CandidateVelocities& candidates) {
-  const simd::Observer observer{self.radius, static_cast<float>(self.velocity.x()),
+                      double space, CandidateVelocities& candidates) {
+  const simd::Observer observer{self.radius + space, static_cast<float>(self.velocity.x()),
                                 static_cast<float>(self.velocity.y()), static_cast<float>(preferred.x()),
                                 static_cast<float>(preferred.y())};
   const float fastest =
@@ -160,9 +154,9 @@ void accumulateTimeToCollision(const Perception& seen, const Vector2& preferred,
                                CandidateVelocities& candidates) {
   const AgentPerception& self = seen.self;
   const NeighbourSpan& neighbours = seen.neighbours;
-  const auto take = [&](const simd::NeighbourArrays& agents) { accumulateAgents(agents, self, preferred, candidates); };
+  const double space = keptSpace(seen, personal_space);
   const auto take_agents = [&](const simd::NeighbourArrays& agents) {
-    personal_space > 0.0 ? withPersonalSpace(agents, self.radius, personal_space, take) : take(agents);
+    accumulateAgents(agents, self, preferred, space, candidates);
   };
   const auto take_all = [&] {
     take_agents(

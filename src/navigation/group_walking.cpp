@@ -19,6 +19,7 @@ constexpr double CATCH_UP = 0.6;        // speed gained for each metre behind it
 constexpr double LEAST_PACE = 0.2;      // of the speed of the group, of those who wait where others can pass
 constexpr double MOST_PACE = 1.15;      // of the agent's own speed
 constexpr double WIDE_CLEARANCE = 0.9;  // of places that are not narrow [m]
+constexpr double FARTHEST_GOAL = 6.0;   // of a member from that of another one [m]
 constexpr double LONGEST_SHIFT = 1.0;   // [m]
 constexpr double LEAST_SHIFT = 0.05;    // [m]
 
@@ -31,12 +32,13 @@ Vector2 leftOf(const Vector2& forward) { return {-forward.y(), forward.x()}; }
 
 void GroupWalking::update(World& world, const Paths& paths, const FloorRuler* floor) {
   collect(world);
-  const double ticks = std::max(1.0, std::round(DECISION_TIME / world.tickDuration()));
+  const auto ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(DECISION_TIME / world.tickDuration())));
   for (auto& [number, group] : groups_) {
-    if (world.tick() < group.decision_tick) continue;
+    if (group.decision_tick && world.tick() < *group.decision_tick) continue;
     world.stopRequest().throwIfMade();
-    // Groups decide at different ticks, so that a tick costs about the same.
-    group.decision_tick = world.tick() + static_cast<std::uint64_t>(ticks);
+    // After the first decision groups decide at different ticks, so that all ticks cost about the same.
+    const std::uint64_t pause = group.decision_tick ? ticks : 1 + number % ticks;
+    group.decision_tick = world.tick() + pause;
     decide(group, world, paths, floor);
   }
 }
@@ -58,7 +60,7 @@ void GroupWalking::decide(const Group& group, World& world, const Paths& paths, 
   Vector2 forward = Vector2::Zero();
   std::vector<Walker> walkers = walkersOf(group, world, paths, forward);
   const Traffic traffic = trafficAhead(walkers, forward, world);
-  if (walkers.size() < 2 || forward == Vector2::Zero() || traffic.density > ALONE_DENSITY) {
+  if (walkers.size() < 2 || forward == Vector2::Zero() || traffic.density > ALONE_DENSITY || haveParted(walkers)) {
     for (const Walker& walker : walkers) {
       world.walkingAgent(walker.agent->id).setPace(Pace::GROUP, 1.0);
       members_[walker.agent->id] = Member();
@@ -95,9 +97,9 @@ std::vector<GroupWalking::Walker> GroupWalking::walkersOf(const Group& group, co
     const RemainingPath straight = {agent.goal()};
     const bool has_path = path != nullptr && !path->empty() && path->back() == agent.goal();
     const RemainingPath& way = has_path ? *path : straight;
-    const bool has_passed = goalsLeft(agent) < goals_left && agent.goals.size() >= goals_left;
-    const double length = has_passed ? -(agent.goals[agent.goals.size() - goals_left] - place).norm()
-                                     : lengthOf({way.data(), way.size()}, place);
+    if (agent.goals.size() >= goals_left) walker.goal = agent.goals[agent.goals.size() - goals_left];
+    const bool has_passed = walker.goal && goalsLeft(agent) < goals_left;
+    const double length = has_passed ? -(*walker.goal - place).norm() : lengthOf({way.data(), way.size()}, place);
     walker.ahead = -length;
     walker.row = members_[id].row;
     const Vector2 offset = pointAlong({way.data(), way.size()}, place, LOOKAHEAD) - place;
@@ -114,22 +116,28 @@ std::vector<GroupWalking::Walker> GroupWalking::walkersOf(const Group& group, co
   return walkers;
 }
 
-/// In a disc ahead of the group.
+/// Whether members walk to different places, so that their ways cannot be compared.
+bool GroupWalking::haveParted(const std::vector<Walker>& walkers) {
+  return std::any_of(walkers.begin(), walkers.end(), [&](const Walker& walker) {
+    return !walker.goal || !walkers[0].goal || (*walker.goal - *walkers[0].goal).norm() > FARTHEST_GOAL;
+  });
+}
+
+/// Agents in a disc ahead of the group.
 GroupWalking::Traffic GroupWalking::trafficAhead(const std::vector<Walker>& walkers, const Vector2& forward,
                                                  const World& world) {
   Vector2 centre = AREA_RADIUS * forward;
   for (const Walker& walker : walkers) centre += walker.agent->pose.position / static_cast<double>(walkers.size());
-  std::vector<std::uint32_t> found;
-  const NeighbourGrid& grid = world.grid();
-  grid.findNear(centre, AREA_RADIUS, found);
+  std::vector<std::uint32_t> bodies;
+  world.grid().findNear(centre, AREA_RADIUS, bodies);
   Traffic traffic;
   std::size_t others = 0;
-  for (const std::uint32_t disc : found) {
-    const std::uint32_t body = grid.body(disc);
-    const bool is_mate = body < world.agents().size() && world.agents().nth(body).group == walkers[0].agent->group;
-    if (is_mate) continue;
+  for (const std::uint32_t body : bodies) {
+    if (body >= world.agents().size()) continue;  // an obstacle
+    const Agent& other = world.agents().nth(body);
+    if (other.group == walkers[0].agent->group) continue;
     ++others;
-    traffic.is_oncoming = traffic.is_oncoming || grid.velocity(disc).dot(forward) < -ONCOMING_SPEED;
+    traffic.is_oncoming = traffic.is_oncoming || other.velocity.dot(forward) < -ONCOMING_SPEED;
   }
   traffic.density = static_cast<double>(others) / (PI * AREA_RADIUS * AREA_RADIUS);
   return traffic;

@@ -41,8 +41,9 @@ class GroupWalking {
   /// A member that walks, as of the decision.
   struct Walker {
     const Agent* agent = nullptr;
-    double ahead = 0.0;  // of the mean of the group, along the way [m]
-    double left = 0.0;   // of the mean of the group, across the direction of the group [m]
+    double ahead = 0.0;           // of the mean of the group, along the way [m]
+    double left = 0.0;            // of the mean of the group, across the direction of the group [m]
+    std::optional<Vector2> goal;  // the next one of the group [m], `map`
     std::size_t row = 0;
     Vector2 place = Vector2::Zero();  // that it should have: ahead and to the left of the mean [m]
   };
@@ -54,8 +55,8 @@ class GroupWalking {
     std::optional<Vector2> aim;  // for `next`
   };
   struct Group {
-    std::vector<AgentId> members;  // on their way, by ascending id
-    std::uint64_t decision_tick = 0;
+    std::vector<AgentId> members;                // on their way, by ascending id
+    std::optional<std::uint64_t> decision_tick;  // of the next decision
   };
   using Paths = AgentMap<RemainingPath>;
 
@@ -67,6 +68,7 @@ class GroupWalking {
     double density = 0.0;      // [1/m2]
     bool is_oncoming = false;  // somebody comes towards the group
   };
+  static bool haveParted(const std::vector<Walker>& walkers);
   static Traffic trafficAhead(const std::vector<Walker>& walkers, const Vector2& forward, const World& world);
   std::size_t columnsFor(const std::vector<Walker>& walkers, double spacing, const Vector2& forward,
                          const Traffic& traffic, const FloorRuler* floor) const;

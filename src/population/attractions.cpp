@@ -159,7 +159,8 @@ void Attractions::leave(AgentId id, bool for_good, World& world) {
   if (world.isActive(id)) {
     Agent& agent = world.walkingAgent(id);
     agent.setHeld(Hold::ATTRACTION, false);
-    if (!found->waits && agent.goal() == found->place) agent.passGoal();
+    const bool walks_there = !found->waits && agent.goal() == found->place;
+    if (walks_there && agent.next_goal + 1 < agent.goals.size()) agent.passGoal();  // else a user has set this goal
   }
   visits_.erase(found);
 }

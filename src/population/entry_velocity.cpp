@@ -30,6 +30,7 @@ bool canStop(const AgentStart& start, const Vector2& velocity, const World& worl
     return !other.isWalking() || isClear(way, start.radius, its_way, other.radius);
   };
   const auto is_beside = [&](const Obstacle& obstacle) {
+    if (!obstacle.path.isPresent(world.time())) return true;
     const ObstaclePath::Motion motion = obstacle.path.at(world.time());
     const double time = start.walkingSpeed() / world.motion().braking + world.tickDuration();
     const Segment its_way{motion.position, motion.position + time * motion.velocity};

@@ -95,13 +95,19 @@ void Followers::followAgent(Follower& follower, World& world, RouteObserver& obs
   Agent& agent = world.walkingAgent(follower.id);
   follower.goes_stepwise = follower.goes_stepwise || leader.goals != follower.leader_goals;
   agent.leaves = leader.leaves && (!follower.goes_stepwise || leader.next_goal + 1 >= leader.goals.size());
-  if (!follower.goes_stepwise || follower.leader_goals == std::vector<Vector2>{leader.goal()}) return;
+  if (leader.isHeldBy(Hold::ATTRACTION)) agent.leaves = false;
+  const bool is_same_goal = follower.leader_goals == std::vector<Vector2>{leader.goal()};
+  if (!follower.goes_stepwise || is_same_goal || leader.isHeldBy(Hold::ATTRACTION)) return;
   follower.leader_goals = {leader.goal()};
   agent.setGoals(goalsBeside({leader.goal()}, leader.pose.position, follower.number, agent.radius, world));
   observer.extendWay(agent);
 }
 
-void Followers::followRobot(const Follower& follower, World& world, RouteObserver& observer) const {
+void Followers::followRobot(Follower& follower, World& world, RouteObserver& observer) const {
+  const Pose& pose = world.robots().require(follower.leader.number).pose;
+  const std::vector<Vector2> present = {pose.position, unitVector(pose.heading)};
+  if (present == follower.leader_goals) return;
+  follower.leader_goals = present;
   const Agent& agent = world.agents()[follower.id];
   const Vector2 goal = goalBehind(follower.leader.number, follower.number, agent.radius, world);
   if ((goal - agent.goal()).norm() < ROBOT_DISTANCE) return;
@@ -109,8 +115,10 @@ void Followers::followRobot(const Follower& follower, World& world, RouteObserve
   observer.recordGoal(world.agents()[follower.id], goal);
 }
 
-bool Followers::contains(AgentId id) const {
-  return std::any_of(followers_.begin(), followers_.end(), [id](const Follower& each) { return each.id == id; });
+std::optional<Leader> Followers::leaderOf(AgentId id) const {
+  const auto has_id = [id](const Follower& follower) { return follower.id == id; };
+  const auto found = std::find_if(followers_.begin(), followers_.end(), has_id);
+  return found == followers_.end() ? std::nullopt : std::optional<Leader>(found->leader);
 }
 
 void Followers::drop(AgentId id, World& world, RouteObserver& observer) {
@@ -118,8 +126,6 @@ void Followers::drop(AgentId id, World& world, RouteObserver& observer) {
   const auto found = std::find_if(followers_.begin(), followers_.end(), has_id);
   if (found == followers_.end()) return;
   release(*found, world, observer);
-  world.walkingAgent(id).group = NO_GROUP;
-  world.walkingAgent(id).setPace(Pace::GROUP, 1.0);
   followers_.erase(found);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "population/place_picker.h"
@@ -17,7 +18,8 @@ class Followers {
   explicit Followers(const PlacePicker& places) : places_(places) {}
 
   bool empty() const { return followers_.empty(); }
-  bool contains(AgentId id) const;
+  bool contains(AgentId id) const { return leaderOf(id).has_value(); }
+  std::optional<Leader> leaderOf(AgentId id) const;
   /// @brief The goals of a follower: free places around those of its leader, the first ones to the left and to the
   /// right of it; those of the leader where there is no room.
   /// @param goals of the leader [m] @param from its place [m] @param number of the follower, from 0 @param radius [m]
@@ -39,12 +41,12 @@ class Followers {
     AgentId id = 0;
     Leader leader;
     std::size_t number = 0;             // among the followers of this leader
-    std::vector<Vector2> leader_goals;  // that its own goals are beside
+    std::vector<Vector2> leader_goals;  // that its own goals are beside; place and direction of a robot
     bool goes_stepwise = false;
   };
 
   void followAgent(Follower& follower, World& world, RouteObserver& observer) const;
-  void followRobot(const Follower& follower, World& world, RouteObserver& observer) const;
+  void followRobot(Follower& follower, World& world, RouteObserver& observer) const;
   static bool hasLeft(const Leader& leader, const World& world);
   static void release(const Follower& follower, World& world, RouteObserver& observer);
 

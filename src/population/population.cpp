@@ -36,10 +36,10 @@ Population::Population(const Scene& scene)
       distraction_(seed_),
       attractions_(scene, description_->attractions, seed_),
       alarms_(description_->alarms) {
-  for (const AgentStart& start : scene.agents) {
-    const bool is_member = start.route || start.leader || start.reaction_time > 0.0;
-    if (is_member || description_->pausesOf(start.kind)) starts_ = scene.agents;
-  }
+  const auto is_member = [this](const AgentStart& start) {
+    return start.route || start.leader || start.reaction_time > 0.0 || description_->pausesOf(start.kind);
+  };
+  if (std::any_of(scene.agents.begin(), scene.agents.end(), is_member)) starts_ = scene.agents;
   for (std::size_t i = 0; i < description_->sources.size(); ++i) {
     sources_.emplace_back(*description_, i, randomOf(seed_, SOURCE, i));
   }
@@ -95,6 +95,7 @@ Population::Member* Population::find(AgentId id) {
 
 void Population::begin(World& world, RouteObserver& observer) {
   for (std::size_t i = 0; i < starts_.size(); ++i) admit(static_cast<AgentId>(i), starts_[i], world, observer);
+  for (std::size_t i = 0; i < starts_.size(); ++i) follow(static_cast<AgentId>(i), starts_[i], world, observer);
   starts_.clear();
   raiseAlarms(world, observer);
   updateGates(world);
@@ -102,7 +103,6 @@ void Population::begin(World& world, RouteObserver& observer) {
 }
 
 void Population::admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer) {
-  if (start.leader) followers_.add(id, *start.leader, isEndless(*start.leader, world), world, observer);
   if (const auto pauses = description_->pausesOf(start.kind)) distraction_.add(id, *pauses, world.time());
   if (!start.route && start.reaction_time <= 0.0) return;
   world.stopRequest().throwIfMade();
@@ -116,6 +116,10 @@ void Population::admit(AgentId id, const AgentStart& start, World& world, RouteO
     beginLeg(member, world);
   }
   hold(member, world);
+}
+
+void Population::follow(AgentId id, const AgentStart& start, const World& world, RouteObserver& observer) {
+  if (start.leader) followers_.add(id, *start.leader, isEndless(*start.leader, world), world, observer);
 }
 
 Vector2 Population::goalOfLeg(Member& member, const Vector2& from, double radius, const World& world) {
@@ -136,7 +140,8 @@ void Population::beginLeg(Member& member, World& world) {
   const Vector2 goal = goalOfLeg(member, agent.pose.position, agent.radius, world);
   const WaypointDescription& waypoint = member.route->waypoint();
   if (waypoint.kind == Kind::QUEUE) queues_[waypoint.target].join(member.id);
-  if (goal != agent.goal() || agent.at_goal) world.walkingAgent(member.id).setGoal(goal);
+  const bool has_others = agent.next_goal + 1 < agent.goals.size();
+  if (goal != agent.goal() || agent.at_goal || has_others) world.walkingAgent(member.id).setGoal(goal);
 }
 
 void Population::advance(Member& member, World& world, RouteObserver& observer) {
@@ -218,6 +223,7 @@ void Population::spawn(World& world, RouteObserver& observer) {
       WorldEditor(world).spawnAgent(*start);
       observer.watch(*start, world);
       admit(id, *start, world, observer);
+      follow(id, *start, world, observer);
     }
   }
 }
@@ -230,7 +236,6 @@ void Population::updateAll(World& world, RouteObserver& observer) {
   };
   const auto is_done = [&](const Member& member) { return !member.route && world.time() >= member.reacts_at; };
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_gone), members_.end());
-  followers_.update(world, observer);
   updateGates(world);
   for (Member& member : members_) walk(member, world, observer);
   serveQueues(world, observer);
@@ -241,6 +246,7 @@ void Population::updateAll(World& world, RouteObserver& observer) {
   for (const Member& member : members_) face(member, world);
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_done), members_.end());
   distraction_.update(world);
+  followers_.update(world, observer);  // after what their leaders do
   spawn(world, observer);
 }
 
@@ -280,7 +286,7 @@ void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways
 Population::Member& Population::beginRoute(AgentId id, const RouteDescription& route, World& world,
                                            RouteObserver& observer) {
   world.walkingAgent(id);  // throws for unknown agents
-  followers_.drop(id, world, observer);
+  leaveGroup(id, world, observer);
   world.walkingAgent(id).leaves = false;
   attractions_.leave(id, false, world);
   for (Queue& queue : queues_) queue.leave(id);
@@ -298,8 +304,17 @@ Population::Member& Population::beginRoute(AgentId id, const RouteDescription& r
   return *member;
 }
 
-void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
+void Population::leaveGroup(AgentId id, World& world, RouteObserver& observer) {
   followers_.drop(id, world, observer);
+  Agent& agent = world.walkingAgent(id);
+  if (agent.group == NO_GROUP || followers_.countOf({Leader::Kind::AGENT, id}) > 0) return;
+  agent.group = NO_GROUP;
+  agent.setPace(Pace::GROUP, 1.0);
+  agent.clearWaypoint();
+}
+
+void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
+  leaveGroup(id, world, observer);
   attractions_.leave(id, false, world);
   Member* const member = find(id);
   if (member == nullptr || !member->route) return;

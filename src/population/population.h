@@ -63,6 +63,8 @@ class Population {
   /// @brief Adds or removes the walls of the gates, for changes of walls by others.
   void updateGates(World& world);
 
+  /// @brief Whom an agent follows, if anybody.
+  std::optional<Leader> leaderOf(AgentId id) const { return followers_.leaderOf(id); }
   /// @brief Number of agents on a route or within their reaction time.
   std::size_t memberCount() const { return members_.size(); }
   const Queue& queue(std::size_t index) const { return queues_[index]; }
@@ -88,11 +90,15 @@ class Population {
   Member* find(AgentId id);
   /// Adds an agent that has just appeared.
   void admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer);
+  /// The same for one that follows another; its leader must have been added before.
+  void follow(AgentId id, const AgentStart& start, const World& world, RouteObserver& observer);
   /// Returns the goal of an agent's present leg, and sets its sink.
   Vector2 goalOfLeg(Member& member, const Vector2& from, double radius, const World& world);
   void chooseGoalsOfFollowers(Scene& scene, const World& world) const;
   bool isEndless(const Leader& leader, const World& world) const;
   void beginLeg(Member& member, World& world);
+  /// An agent that is sent elsewhere leaves its group, unless it leads it.
+  void leaveGroup(AgentId id, World& world, RouteObserver& observer);
   /// Goes on to the next waypoint, or lets the agent leave at the end of its route.
   void advance(Member& member, World& world, RouteObserver& observer);
   void walk(Member& member, World& world, RouteObserver& observer);

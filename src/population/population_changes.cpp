@@ -22,7 +22,9 @@ PopulationDescription populationOf(const Scene& scene) {
 void requireReadable(const PopulationDescription& population) {
   const YamlMap map(YAML::Load(populationText(population)), {},
                     {"routes", "sources", "sinks", "queues", "gates", "attractions", "alarms"});
-  readSources(map, Units(), readPopulation(map));
+  PopulationDescription read = readPopulation(map);
+  read.kinds = population.kinds;
+  readSources(map, Units(), read);
 }
 
 bool isOnRoute(const Scene& scene, std::size_t route) {

@@ -18,7 +18,7 @@ constexpr double CONTACT_OVERLAP = 1e-3;
 enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
 
 /// @brief Why an agent stands, or brakes, whatever its actions.
-enum class Hold : std::uint8_t { ROUTE, PAUSE, GROUP, ATTRACTION };
+enum class Hold : std::uint8_t { ROUTE, PAUSE, ATTRACTION };
 
 /// @brief Why an agent walks faster or slower than its own speed.
 enum class Pace : std::uint8_t { HURRY, DISTRACTION, GROUP };

@@ -45,13 +45,25 @@ struct Expected {
   double static_bodies = NEVER;
 };
 
-Expected expect(const Perception& seen, const CandidateMove& move) {
+/// At most 0.8 of the gap to the first agent, which is the nearest one of a real perception.
+double spaceKept(const Perception& seen, double personal_space) {
+  for (const Neighbour& neighbour : seen.neighbours) {
+    if (neighbour.kind != NeighbourKind::AGENT) continue;
+    const double gap = neighbour.position.norm() - seen.self.radius - neighbour.radius;
+    return std::max(0.0, std::min(personal_space, 0.8 * gap));
+  }
+  return 0.0;
+}
+
+Expected expect(const Perception& seen, const CandidateMove& move, double personal_space) {
   const AgentPerception& self = seen.self;
   const bool blocked = move.wanted > 0.0 && move.fraction / move.wanted < MIN_FRACTION;
   const Vector2 u = (blocked ? 0.0 : move.wanted * self.max_speed) * move.direction;
   Expected times;
   for (const Neighbour& neighbour : seen.neighbours) {
-    const double reach = self.radius + neighbour.radius;
+    const bool is_agent = neighbour.kind == NeighbourKind::AGENT;
+    const double space = is_agent ? spaceKept(seen, personal_space) : 0.0;
+    const double reach = self.radius + neighbour.radius + space;
     const double constant_velocity = timeToCollision(neighbour.position, u - neighbour.velocity, reach);
     double& place = neighbour.kind == NeighbourKind::AGENT ? times.constant_velocity : times.static_bodies;
     place = std::min(place, constant_velocity);
@@ -78,9 +90,11 @@ TEST(MoveFeatures, AgreeWithAReferenceForEachMove) {
     const PerceptionsBuilder scene = anyScene(random);
     std::vector<CandidateMove> moves(1 + random.below(MoveFeatures::LANES));
     for (CandidateMove& move : moves) move = anyMove(random);
-    const MoveFeatures features = featuresAlone(scene.perception(), toBlocks(moves)[0], moves.size(), MIN_FRACTION);
+    const double space = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 1.0);
+    const MoveFeatures features =
+        featuresAlone(scene.perception(), toBlocks(moves)[0], moves.size(), MIN_FRACTION, space);
     for (std::size_t i = 0; i < moves.size(); ++i) {
-      const Expected expected = expect(scene.perception(), moves[i]);
+      const Expected expected = expect(scene.perception(), moves[i], space);
       compared += 3;
       apart += agree(features.reciprocal_times[i], expected.reciprocal) ? 0 : 1;
       apart += agree(features.constant_velocity_times[i], expected.constant_velocity) ? 0 : 1;

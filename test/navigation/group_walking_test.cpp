@@ -127,6 +127,38 @@ TEST(GroupWalking, ThoseWhoComeTowardsThemGetHalfOfTheFloor) {
   EXPECT_NEAR(oncoming.shiftOf(0), -0.8, 1e-12);
 }
 
+/// 60 others far away, among which nobody is ahead of the group.
+TEST(GroupWalking, OthersFarAwayDoNotMatter) {
+  std::vector<AgentStart> agents = {member(0.0, 0.0), member(0.0, 2.0)};
+  for (int i = 0; i < 60; ++i) {
+    agents.push_back(stranger(30.0 + 0.6 * (i % 10), 0.6 * (i / 10)));
+    agents.back().velocity = {-1.0, 0.0};
+  }
+  Decision pair(agents);
+  EXPECT_NEAR(pair.shiftOf(0), 0.5 * (2.0 - SPACING), 1e-12);
+  agents.resize(2);
+  Decision alone(agents);
+  EXPECT_EQ(pair.shiftOf(0), alone.shiftOf(0));
+}
+
+/// Eight of 60 others are ahead, as in AmongOthersThreeWalkInAV.
+TEST(GroupWalking, OthersAheadAreFoundInACrowd) {
+  std::vector<AgentStart> agents = {member(0.0, -SPACING), member(0.0, 0.0), member(0.0, SPACING)};
+  for (int i = 0; i < 52; ++i) agents.push_back(stranger(30.0 + 0.6 * (i % 10), 0.6 * (i / 10)));
+  for (int i = 0; i < 8; ++i) agents.push_back(stranger(2.0 + 0.5 * i, i % 2 == 0 ? 1.0 : -1.0));
+  Decision three(agents);
+  EXPECT_NEAR(-SPACING + three.shiftOf(0), -SPACING * std::cos(0.6), 1e-12);
+}
+
+/// Two agents whose goals are far apart have no common way.
+TEST(GroupWalking, MembersWithOtherGoalsWalkAlone) {
+  std::vector<AgentStart> agents = {member(0.0, 0.0), member(0.0, 2.0)};
+  agents[1].goals = {{50.0, 0.0}};
+  Decision pair(agents);
+  EXPECT_EQ(pair.speedOf(0), 1.0);
+  EXPECT_EQ(pair.shiftOf(0), 0.0);
+}
+
 TEST(GroupWalking, WhoIsLeftWalksAtItsOwnSpeed) {
   Decision pair({member(0.0, 0.0), member(0.0, 2.0)});
   WorldEditor(pair.world).removeAgent(1);

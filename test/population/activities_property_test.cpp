@@ -11,16 +11,18 @@
 namespace crowd::activities_property_test {
 namespace {
 
-/// A hall with two shop windows, a queue and two exits, with a drawn alarm at 40 s.
+/// A hall with two shop windows, a queue and two exits, groups, and people who stop to look at their phones.
 std::string hall(KeyedRandom& random, const std::string& more) {
   const auto text = [&](double low, double high) { return std::to_string(random.uniform(low, high)); };
   return "walls: [[[0, 0], [16, 0]], [[16, 0], [16, 12]], [[16, 12], [0, 12]], [[0, 12], [0, 0]], [[8, 3], [8, 9]]]\n"
          "contact: solid\n"
          "agents:\n"
-         "  - {count: 15, position: {box: [[1, 1], [15, 11]]}, route: rounds, speed: [1, 1.5], radius: [0.18, 0.25]}\n"
+         "  - {count: 15, position: {box: [[1, 1], [15, 11]]}, route: rounds, speed: [1, 1.5], radius: [0.18, 0.25], "
+         "groups: {share: 0.5}}\n"
          "  - {count: 10, position: {box: [[1, 1], [15, 11]]}, goals: [{box: [[1, 1], [15, 11]]}, {box: [[1, 1], [15, "
-         "11]]}], speed: 1.2, hurry: [0.8, 1.4], radius: 0.2}\n"
-         "sources: [{area: {box: [[0.5, 0.5], [2, 2]]}, rate: 0.5, route: shop, speed: [1, 1.5], radius: 0.2}]\n"
+         "11]]}], speed: 1.2, hurry: [0.8, 1.4], radius: 0.2, kind: {adult: 1, phone_stop: 1}}\n"
+         "sources: [{area: {box: [[0.5, 0.5], [2, 2]]}, rate: 0.5, route: shop, speed: [1, 1.5], radius: 0.2, groups: "
+         "{share: 0.4}}]\n"
          "routes:\n"
          "  rounds: {repeat: true, waypoints: [{place: {box: [[1, 1], [15, 11]]}, wait: [0, 6], face: [8, 6]}]}\n"
          "  shop: {waypoints: [{place: {box: [[9, 1], [15, 11]]}}, {queue: till}, {sink: nearest}]}\n"
@@ -52,7 +54,7 @@ TEST(Activities, NoContactsAndEverybodyLeaves) {
       for (const Agent& agent : episode.world().agents()) visits += agent.isHeldBy(Hold::ATTRACTION) ? 1U : 0U;
     }
     const EpisodeResult result = episode.result();
-    EXPECT_GT(visits, 500U) << "seed " << seed;
+    EXPECT_GT(visits, 250U) << "seed " << seed;
     EXPECT_EQ(episode.world().activeCount(), 0U) << "seed " << seed;
     EXPECT_LT(episode.world().time(), 100.0) << "seed " << seed;
     for (AgentId id = 0; id < result.agents.size(); ++id) {

@@ -79,6 +79,23 @@ TEST(Followers, FollowARobot) {
   EXPECT_TRUE(episode.result().agents.at(0).arrived);
 }
 
+/// The leader stops at a window. Its follower waits beside it, and leaves the world after it.
+TEST(Followers, WaitAtAttractions) {
+  Episode episode = episodeOf(
+      "agents:\n"
+      "  - {position: [0, 0], goal: [20, 0], speed: 1, radius: 0.2}\n"
+      "  - {position: [0, 1], leader: 0, speed: 1, radius: 0.2}\n"
+      "attractions: {window: {area: [8, 2], radius: 3, share: 1, wait: 20}}\n");
+  while (!agent(episode, 0).isHeldBy(Hold::ATTRACTION)) step(episode);
+  const double begin = episode.world().time();
+  while (agent(episode, 0).isHeldBy(Hold::ATTRACTION)) step(episode);
+  EXPECT_NEAR(episode.world().time() - begin, 20.0, 0.5);
+  EXPECT_TRUE(agent(episode, 1).isWalking());
+  EXPECT_LT((agent(episode, 1).pose.position - Vector2(8.0, 2.0)).norm(), 1.0);
+  while (!episode.isOver()) step(episode);
+  EXPECT_TRUE(episode.result().agents.at(1).arrived);
+}
+
 TEST(Followers, AGoalOfAUserEndsIt) {
   Episode episode = episodeOf(
       "agents:\n"

@@ -1,6 +1,8 @@
 #include "ros/markers/floor_scene.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "scenario/population_spec.h"
 
@@ -68,8 +70,22 @@ Scene sceneOnFloor(const Episode& episode, bool with_map_file) {
   const World& world = episode.world();
   Scene scene = episode.scene();
   std::vector<AgentStart> agents;
+  std::map<AgentId, AgentId> numbers;  // in the new scene, by id
+  std::map<GroupId, AgentId> first;    // new number of the first member of a group
   for (const Agent& agent : world.agents()) {
-    if (agent.isWalking()) agents.push_back(startOf(agent, scene));
+    if (!agent.isWalking()) continue;
+    const auto number = static_cast<AgentId>(agents.size());
+    numbers[agent.id] = number;
+    agents.push_back(startOf(agent, scene));
+    if (agent.group != NO_GROUP) agents.back().group = first.try_emplace(agent.group, number).first->second;
+  }
+  for (const auto& [id, number] : numbers) {
+    std::optional<Leader> leader = episode.population().leaderOf(id);
+    if (!leader) continue;
+    if (leader->kind == Leader::Kind::AGENT) leader->number = numbers.at(leader->number);
+    agents[number].leader = leader;
+    agents[number].group = groupOf(*leader);
+    if (leader->kind == Leader::Kind::AGENT) agents[leader->number].group = agents[number].group;
   }
   scene.agents = std::move(agents);
   scene.obstacles = world.obstacles();

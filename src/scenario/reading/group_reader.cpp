@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::int64_t LAST_AGENT = 9'999'999;
 constexpr std::size_t LARGEST_GROUP = 20;
+constexpr NumberLimit WEIGHT{NumberRule::NOT_NEGATIVE, 1e9, ""};
 const std::vector<double> PAIRS_AND_MORE = {0.7, 0.2, 0.1};  // of groups of 2, 3 and 4
 
 /// Reads {SIZE: WEIGHT, ...}.
@@ -27,7 +28,7 @@ std::vector<double> readSizes(const YAML::Node& node, const YamlPlace& place) {
     const bool is_size = YAML::convert<std::size_t>::decode(entry.first, size) && size >= 2 && size <= LARGEST_GROUP;
     if (!is_size) throwExpected(place, entry.first, expected);
     weights.resize(std::max(weights.size(), size - 1), 0.0);
-    weights[size - 2] = readNumber(entry.second, place.child(entry.first.Scalar()), NumberRule::NOT_NEGATIVE);
+    weights[size - 2] += readNumber(entry.second, place.child(entry.first.Scalar()), WEIGHT);
     sum += weights[size - 2];
   }
   if (sum <= 0.0) throwExpected(place, node, "a weight above 0");

@@ -1,0 +1,40 @@
+#include "ros/markers/floor_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "simulation/episode.h"
+#include "support/straight_walk.h"
+
+namespace crowd::floor_scene_test {
+namespace {
+
+/// Agent 0 is removed, so that all others get lower numbers.
+TEST(FloorScene, KeepsLeadersAndGroups) {
+  Episode episode = straight_walk::episodeOf(
+      "agents:\n"
+      "  - {position: [0, 9], goal: [30, 9], speed: 1, radius: 0.2}\n"
+      "  - {position: [0, 0], goals: [[10, 0], [30, 0]], speed: 1, radius: 0.2}\n"
+      "  - {position: [0, 1], leader: 1, speed: 1, radius: 0.2}\n"
+      "  - {position: [0, 4], goal: [30, 4], speed: 1, radius: 0.2}\n"
+      "  - {position: [0, 5], goal: [30, 5], speed: 1, radius: 0.2}\n"
+      "  - {position: [-3, 0], leader: {robot: guide}, speed: 1, radius: 0.2}\n"
+      "groups: [{members: [3, 4]}]\n"
+      "robots: [{name: guide, position: [-5, 0], radius: 0.3, max_speed: 1}]\n");
+  episode.edit().removeAgent(0);
+  straight_walk::walkUntil(3.0, episode);
+  const Scene scene = sceneOnFloor(episode, false);
+  ASSERT_EQ(scene.agents.size(), 5U);
+  ASSERT_TRUE(scene.agents[1].leader);
+  EXPECT_EQ(scene.agents[1].leader->kind, Leader::Kind::AGENT);
+  EXPECT_EQ(scene.agents[1].leader->number, 0U);
+  EXPECT_EQ(scene.agents[0].group, 0U);
+  EXPECT_EQ(scene.agents[1].group, 0U);
+  EXPECT_EQ(scene.agents[2].group, 2U);
+  EXPECT_EQ(scene.agents[3].group, 2U);
+  EXPECT_FALSE(scene.agents[3].leader);
+  ASSERT_TRUE(scene.agents[4].leader);
+  EXPECT_EQ(scene.agents[4].leader->kind, Leader::Kind::ROBOT);
+}
+
+}  // namespace
+}  // namespace crowd::floor_scene_test
