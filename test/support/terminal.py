@@ -54,7 +54,9 @@ class Terminal(Folder):
     def launch(self, line):
         """Starts a launch file and waits until its crowd walks. Returns its Process."""
         process = self.start(line)
-        self.wait_message('/agents', 'm.tick > 0')
+        # A recording has a namespace of its own, so that it can be shown beside a demo.
+        namespace = '/recording' if 'replay.launch' in line else ''
+        self.wait_message(f'{namespace}/agents', 'm.tick > 0')
         return process
 
     @staticmethod
