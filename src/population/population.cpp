@@ -35,10 +35,12 @@ Population::Population(const Scene& scene)
       followers_(places_),
       distraction_(seed_),
       attractions_(scene, description_->attractions, seed_),
+      reactions_(places_),
       alarms_(description_->alarms) {
   for (const AgentStart& start : scene.agents) {
     const bool is_member = start.route || start.leader || start.reaction_time > 0.0;
-    if (is_member || description_->pausesOf(start.kind)) starts_ = scene.agents;
+    const bool reacts = RobotReactions::isSpecial(start.reaction) && !scene.robots.empty();
+    if (is_member || reacts || description_->pausesOf(start.kind)) starts_ = scene.agents;
   }
   for (std::size_t i = 0; i < description_->sources.size(); ++i) {
     sources_.emplace_back(*description_, i, randomOf(seed_, SOURCE, i));
@@ -104,6 +106,7 @@ void Population::begin(World& world, RouteObserver& observer) {
 void Population::admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer) {
   if (start.leader) followers_.add(id, *start.leader, isEndless(*start.leader, world), world, observer);
   if (const auto pauses = description_->pausesOf(start.kind)) distraction_.add(id, *pauses, world.time());
+  if (RobotReactions::isSpecial(start.reaction) && !world.robots().empty()) reactions_.add(id, start.reaction);
   if (!start.route && start.reaction_time <= 0.0) return;
   world.stopRequest().throwIfMade();
   Member& member = members_.emplace_back();
@@ -237,6 +240,7 @@ void Population::updateAll(World& world, RouteObserver& observer) {
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_gone), members_.end());
   raiseAlarms(world, observer);
   updateAttractions(world, observer);
+  updateReactions(world);
   for (const Member& member : members_) hold(member, world);
   for (const Member& member : members_) face(member, world);
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_done), members_.end());
@@ -283,6 +287,7 @@ Population::Member& Population::beginRoute(AgentId id, const RouteDescription& r
   followers_.drop(id, world, observer);
   world.walkingAgent(id).leaves = false;
   attractions_.leave(id, false, world);
+  reactions_.leave(id, false, world);
   for (Queue& queue : queues_) queue.leave(id);
   Member* member = find(id);
   if (member == nullptr) {
@@ -301,6 +306,7 @@ Population::Member& Population::beginRoute(AgentId id, const RouteDescription& r
 void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
   followers_.drop(id, world, observer);
   attractions_.leave(id, false, world);
+  reactions_.leave(id, false, world);
   Member* const member = find(id);
   if (member == nullptr || !member->route) return;
   for (Queue& queue : queues_) queue.leave(id);
