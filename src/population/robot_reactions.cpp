@@ -163,8 +163,10 @@ void RobotReactions::flee(Person& person, World& world) const {
 void RobotReactions::walkTo(const Vector2& place, Person& person, Agent& agent) {
   if (!person.place || agent.goal() != *person.place) {
     agent.insertGoal(place);
-  } else if (place != *person.place) {
+  } else if ((place - *person.place).norm() > PLACE_TOLERANCE) {
     agent.replaceGoal(place);
+  } else {
+    return;  // another goal costs another way
   }
   person.place = place;
 }
