@@ -28,7 +28,8 @@ class KeyedRandom {
     ATTRACTIONS = 12,
     ALARMS = 13,
     KIND = 14,
-    DISTRACTION = 15
+    DISTRACTION = 15,
+    REACTIONS = 16
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)

@@ -16,6 +16,7 @@ std::optional<AgentStart> AgentSource::next(const World& world, const PlacePicke
   start.max_speed = group.max_speed.draw(body);
   start.radius = group.radius.draw(body);
   drawKind(group, population_->kinds, random.with(KIND), start);
+  drawReaction(group, random.with(REACTION), start);
   start.hurry = group.hurry.drawUnlessFixed(body);
   const auto place = drawPlace(start.radius, world, places);
   if (!place || !places.connects(*place, group, *population_)) return std::nullopt;

@@ -31,7 +31,7 @@ class AgentSource {
   const SourceDescription& description() const { return *source_; }
 
  private:
-  enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3, PARTY = 4, KIND = 5 };
+  enum Choice : std::uint64_t { SCHEDULE = 0, BODY = 1, START = 2, GOAL = 3, PARTY = 4, KIND = 5, REACTION = 6 };
 
   void drawGoals(AgentStart& start, const KeyedRandom& random, const World& world, const PlacePicker& places,
                  const PlacePicker::Reach& can_reach) const;

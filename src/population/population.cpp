@@ -35,9 +35,11 @@ Population::Population(const Scene& scene)
       followers_(places_),
       distraction_(seed_),
       attractions_(scene, description_->attractions, seed_),
+      reactions_(places_),
       alarms_(description_->alarms) {
-  const auto is_member = [this](const AgentStart& start) {
-    return start.route || start.leader || start.reaction_time > 0.0 || description_->pausesOf(start.kind);
+  const auto is_member = [&](const AgentStart& start) {
+    const bool reacts = RobotReactions::isSpecial(start.reaction) && !scene.robots.empty();
+    return start.route || start.leader || start.reaction_time > 0.0 || reacts || description_->pausesOf(start.kind);
   };
   if (std::any_of(scene.agents.begin(), scene.agents.end(), is_member)) starts_ = scene.agents;
   for (std::size_t i = 0; i < description_->sources.size(); ++i) {
@@ -104,6 +106,7 @@ void Population::begin(World& world, RouteObserver& observer) {
 
 void Population::admit(AgentId id, const AgentStart& start, World& world, RouteObserver& observer) {
   if (const auto pauses = description_->pausesOf(start.kind)) distraction_.add(id, *pauses, world.time());
+  if (RobotReactions::isSpecial(start.reaction) && !world.robots().empty()) reactions_.add(id, start.reaction);
   if (!start.route && start.reaction_time <= 0.0) return;
   world.stopRequest().throwIfMade();
   Member& member = members_.emplace_back();
@@ -242,6 +245,7 @@ void Population::updateAll(World& world, RouteObserver& observer) {
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_gone), members_.end());
   raiseAlarms(world, observer);
   updateAttractions(world, observer);
+  updateReactions(world);
   for (const Member& member : members_) hold(member, world);
   for (const Member& member : members_) face(member, world);
   members_.erase(std::remove_if(members_.begin(), members_.end(), is_done), members_.end());
@@ -289,6 +293,7 @@ Population::Member& Population::beginRoute(AgentId id, const RouteDescription& r
   leaveGroup(id, world, observer);
   world.walkingAgent(id).leaves = false;
   attractions_.leave(id, false, world);
+  reactions_.leave(id, false, world);
   for (Queue& queue : queues_) queue.leave(id);
   Member* member = find(id);
   if (member == nullptr) {
@@ -316,6 +321,7 @@ void Population::leaveGroup(AgentId id, World& world, RouteObserver& observer) {
 void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
   leaveGroup(id, world, observer);
   attractions_.leave(id, false, world);
+  reactions_.leave(id, false, world);
   Member* const member = find(id);
   if (member == nullptr || !member->route) return;
   for (Queue& queue : queues_) queue.leave(id);

@@ -16,6 +16,7 @@
 #include "population/place_picker.h"
 #include "population/place_ways.h"
 #include "population/queue.h"
+#include "population/robot_reactions.h"
 #include "population/route_follower.h"
 #include "population/route_observer.h"
 #include "scenario/population_spec.h"
@@ -23,8 +24,8 @@
 
 namespace crowd {
 
-/// @brief Runs the sources, sinks, routes, queues, gates, attractions, alarms, leaders, reaction times and pauses of an
-/// episode.
+/// @brief Runs the sources, sinks, routes, queues, gates, attractions, alarms, leaders, reaction times, pauses and
+/// reactions to robots of an episode.
 ///
 /// Call contract: begin() before the first tick; update() after each tick, before it is measured; the other
 /// functions between two ticks. Deterministic; depends only on the scene and the world. Not thread-safe.
@@ -81,7 +82,7 @@ class Population {
   /// Whether there is nothing to update, as in scenes of agents with goals alone.
   bool isEmpty() const {
     return members_.empty() && sources_.empty() && queues_.empty() && gates_.empty() && attractions_.empty() &&
-           !alarms_.arePending() && followers_.empty() && distraction_.isEmpty();
+           !alarms_.arePending() && followers_.empty() && distraction_.isEmpty() && reactions_.empty();
   }
   void updateAll(World& world, RouteObserver& observer);
   /// Uses this description from now on. The one before is kept, because queues, gates and routes refer to it.
@@ -110,6 +111,9 @@ class Population {
   std::size_t raise(std::size_t number, World& world, RouteObserver& observer);
   void raiseAlarms(World& world, RouteObserver& observer);
   void updateAttractions(World& world, RouteObserver& observer);
+  void updateReactions(World& world);
+  /// Whether an agent is on its way to a queue, or stands in it.
+  bool isQueuing(AgentId id);
   void serveQueues(World& world, RouteObserver& observer);
   void completeStart(AgentId id, AgentStart& start, const World& world);
   void spawn(World& world, RouteObserver& observer);
@@ -126,6 +130,7 @@ class Population {
   std::vector<Queue> queues_;
   std::vector<Gate> gates_;
   Attractions attractions_;
+  RobotReactions reactions_;
   Alarms alarms_;
   std::vector<Member> members_;  // by ascending id
 };

@@ -1,4 +1,4 @@
-// What ends what people do, or interrupts it: alarms and attractions.
+// What ends what people do, or interrupts it: alarms, attractions and robots.
 
 #include <algorithm>
 #include <string>
@@ -31,6 +31,7 @@ std::size_t Population::raise(std::size_t number, World& world, RouteObserver& o
   for (const AgentId id : agents) {
     world.stopRequest().throwIfMade();
     Agent& agent = world.walkingAgent(id);
+    reactions_.leave(id, alarm.route.has_value(), world);
     agent.setPace(Pace::HURRY, std::min(alarm.speed_factor, limits::SPEED.most / agent.own_speed));
     if (!alarm.route) continue;
     distraction_.end(id, world);
@@ -49,11 +50,25 @@ std::size_t Population::raise(std::size_t number, World& world, RouteObserver& o
 void Population::updateAttractions(World& world, RouteObserver& observer) {
   if (attractions_.empty()) return;
   const auto may_stop = [this](const Agent& agent) {
-    if (followers_.contains(agent.id)) return false;  // they stop where their leader does
-    const Member* const member = find(agent.id);
-    return member == nullptr || !member->route || member->route->waypoint().kind != WaypointDescription::Kind::QUEUE;
+    // Followers stop where their leader does.
+    return !followers_.contains(agent.id) && !reactions_.isReacting(agent.id) && !isQueuing(agent.id);
   };
   attractions_.update(world, places_, ways_.reachIn(world), may_stop, observer);
+}
+
+void Population::updateReactions(World& world) {
+  if (reactions_.empty()) return;
+  using Freedom = RobotReactions::Freedom;
+  const auto freedom_of = [this](const Agent& agent) {
+    if (isQueuing(agent.id)) return Freedom::NOTHING;
+    return followers_.contains(agent.id) ? Freedom::STAY : Freedom::WALK;
+  };
+  reactions_.update(world, freedom_of, [&](AgentId id) { attractions_.leave(id, false, world); });
+}
+
+bool Population::isQueuing(AgentId id) {
+  const Member* const member = find(id);
+  return member != nullptr && member->route && member->route->waypoint().kind == WaypointDescription::Kind::QUEUE;
 }
 
 }  // namespace crowd

@@ -52,6 +52,7 @@ std::string checksumOf(const Scene& scene) {
     write(start.group);
     write(start.kind);
     write(start.figure);
+    write(start.reaction);
     write(start.leaves);
   }
   for (const Obstacle& obstacle : scene.obstacles) {

@@ -1,20 +1,11 @@
 #include "scenario/person_kind.h"
 
+#include "scenario/shares.h"
+
 namespace crowd {
 namespace {
 
 constexpr int NORMAL_TRIES = 100;
-
-std::size_t drawShare(const std::vector<KindShare>& shares, KeyedRandom& random) {
-  double sum = 0.0;
-  for (const KindShare& each : shares) sum += each.share;
-  double rest = sum * random.uniform();
-  for (const KindShare& each : shares) {
-    rest -= each.share;
-    if (rest < 0.0) return each.kind;
-  }
-  return shares.back().kind;  // by rounding
-}
 
 }  // namespace
 
@@ -28,13 +19,17 @@ double Distribution::draw(KeyedRandom& random) const {
 
 void drawKind(const AgentGroup& group, const std::vector<PersonKind>& kinds, KeyedRandom random, AgentStart& start) {
   if (group.kinds.empty()) return;
-  const std::size_t number = drawShare(group.kinds, random);
+  const std::size_t number = drawShare(group.kinds, random).kind;
   const PersonKind& kind = kinds[number];
   start.kind = static_cast<std::int32_t>(number);
   start.figure = kind.figure;
   const double radius = kind.radius.draw(random);
   if (group.radius_of_kind) start.radius = radius;
   if (group.speed_of_kind) start.max_speed = kind.speed.draw(random);
+}
+
+void drawReaction(const AgentGroup& group, KeyedRandom random, AgentStart& start) {
+  if (!group.reactions.empty()) start.reaction = drawShare(group.reactions, random).reaction;
 }
 
 }  // namespace crowd

@@ -45,4 +45,7 @@ struct PersonKind {
 /// @param kinds of the population @param random of this agent
 void drawKind(const AgentGroup& group, const std::vector<PersonKind>& kinds, KeyedRandom random, AgentStart& start);
 
+/// @brief Draws how one agent of an entry reacts to robots. @param random of this agent
+void drawReaction(const AgentGroup& group, KeyedRandom random, AgentStart& start);
+
 }  // namespace crowd

@@ -69,6 +69,7 @@ class Placement {
         robot_random_(run_seed, KeyedRandom::ROBOT_PLACEMENT, {scenario.seed, episode}),
         group_random_(run_seed, KeyedRandom::GROUPS, {scenario.seed, episode}),
         kind_random_(run_seed, KeyedRandom::KIND, {scenario.seed, episode}),
+        reaction_random_(run_seed, KeyedRandom::REACTIONS, {scenario.seed, episode}),
         scene_(emptyScene(scenario)),
         placed_(scene_.walls) {
     scene_.population_seed = KeyedRandom(run_seed, KeyedRandom::POPULATION, {scenario.seed, episode}).next();
@@ -110,6 +111,7 @@ class Placement {
   KeyedRandom robot_random_;
   KeyedRandom group_random_;
   KeyedRandom kind_random_;
+  KeyedRandom reaction_random_;
   Scene scene_;
   PlacedBodies placed_;
 };
@@ -229,6 +231,7 @@ void Placement::drawKinds() {
                 if (!group.kinds.empty()) {
                   drawKind(group, scenario_.population->kinds, kind_random_.with(index), scene_.agents[index]);
                 }
+                drawReaction(group, reaction_random_.with(index), scene_.agents[index]);
               });
 }
 

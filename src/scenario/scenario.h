@@ -60,21 +60,28 @@ struct KindShare {
   double share = 1.0;
 };
 
+/// @brief A reaction to robots in an entry of agents, and its share of them.
+struct ReactionShare {
+  Reaction reaction = Reaction::REGULAR;
+  double share = 1.0;
+};
+
 /// @brief One entry under `agents`: `count` agents with the same description.
 struct AgentGroup {
   int line = 0;  ///< in the file, for messages
   int count = 1;
   Region position;
-  std::vector<Region> goals;           ///< one after the other; empty: the start mirrored at `opposite`, or a `route`
-  std::optional<Vector2> opposite;     ///< [m]
-  std::vector<KindShare> kinds;        ///< that they are drawn from; empty: none, see drawKind()
-  Range max_speed;                     ///< [m/s]; with `speed_of_kind` that of all its kinds together
-  Range radius;                        ///< [m]; with `radius_of_kind` that of all its kinds together
-  bool speed_of_kind = false;          ///< drawn as the kind of the agent describes it
-  bool radius_of_kind = false;         ///< the same
-  std::optional<Range> heading;        ///< [rad]; absent: towards the first goal
-  Vector2 velocity = Vector2::Zero();  ///< at the start [m/s]
-  bool keeps_heading = false;          ///< see AgentStart
+  std::vector<Region> goals;        ///< one after the other; empty: the start mirrored at `opposite`, or a `route`
+  std::optional<Vector2> opposite;  ///< [m]
+  std::vector<KindShare> kinds;     ///< that they are drawn from; empty: none, see drawKind()
+  Range max_speed;                  ///< [m/s]; with `speed_of_kind` that of all its kinds together
+  Range radius;                     ///< [m]; with `radius_of_kind` that of all its kinds together
+  bool speed_of_kind = false;       ///< drawn as the kind of the agent describes it
+  bool radius_of_kind = false;      ///< the same
+  std::vector<ReactionShare> reactions = {};               ///< that theirs are drawn from; empty: REGULAR
+  std::optional<Range> heading;                            ///< [rad]; absent: towards the first goal
+  Vector2 velocity = Vector2::Zero();                      ///< at the start [m/s]
+  bool keeps_heading = false;                              ///< see AgentStart
   std::optional<std::size_t> route = std::nullopt;         ///< index of a route of the population, instead of goals
   Range reaction_time;                                     ///< [s], see AgentStart
   std::optional<LeaderDescription> leader = std::nullopt;  ///< instead of goals

@@ -12,6 +12,7 @@
 #include "geometry/obstacle_path.h"
 #include "maps/free_space.h"
 #include "scenario/figure.h"
+#include "scenario/reaction.h"
 #include "scenario/recorded_people.h"
 #include "scenario/robot.h"
 
@@ -67,6 +68,7 @@ struct AgentStart {
   Vector2 velocity = Vector2::Zero();  ///< [m/s], `map`
   std::int32_t kind = NO_KIND;         ///< index of its kind of people
   Figure figure = Figure::ADULT;
+  Reaction reaction = Reaction::REGULAR;  ///< to robots
   bool leaves = true;          ///< leaves the world at its last goal; else it stays until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
   std::optional<std::size_t> route = std::nullopt;  ///< index of its route; `goals` are not used then

@@ -18,11 +18,11 @@ constexpr double CONTACT_OVERLAP = 1e-3;
 enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
 
 /// @brief Why an agent stands, or brakes, whatever its actions.
-enum class Hold : std::uint8_t { ROUTE, PAUSE, ATTRACTION };
+enum class Hold : std::uint8_t { ROUTE, PAUSE, ATTRACTION, REACTION };
 
 /// @brief Why an agent walks faster or slower than its own speed.
-enum class Pace : std::uint8_t { HURRY, DISTRACTION, GROUP };
-constexpr std::size_t PACES = 3;
+enum class Pace : std::uint8_t { HURRY, DISTRACTION, GROUP, REACTION };
+constexpr std::size_t PACES = 4;
 
 /// @brief An agent in the world.
 struct Agent {
@@ -35,7 +35,7 @@ struct Agent {
         max_speed(start.walkingSpeed()),
         own_speed(start.max_speed),
         wanted_speed(start.walkingSpeed()),
-        paces{start.hurry, 1.0, 1.0},
+        paces{start.hurry, 1.0, 1.0, 1.0},
         radius(start.radius),
         kind(start.kind),
         figure(start.figure),
@@ -51,7 +51,7 @@ struct Agent {
   double max_speed = 0.0;              ///< present maximum speed [m/s]
   double own_speed = 0.0;              ///< maximum speed without any Pace [m/s]
   double wanted_speed = 0.0;           ///< own_speed times all paces; `max_speed` as soon as it has slowed down [m/s]
-  std::array<double, PACES> paces = {1.0, 1.0, 1.0};
+  std::array<double, PACES> paces = {1.0, 1.0, 1.0, 1.0};
   double radius = 0.0;          ///< [m]
   std::int32_t kind = NO_KIND;  ///< see AgentStart
   Figure figure = Figure::ADULT;
@@ -117,6 +117,11 @@ struct Agent {
   /// @brief Adds a goal before the present one [m], `map`.
   void insertGoal(const Vector2& goal) {
     goals.insert(goals.begin() + static_cast<std::ptrdiff_t>(next_goal), goal);
+    beginGoal();
+  }
+  /// @brief Replaces the present goal [m], `map`; those after it stay.
+  void replaceGoal(const Vector2& goal) {
+    goals[next_goal] = goal;
     beginGoal();
   }
   /// @brief Goes on to the goal after the present one. There must be one.

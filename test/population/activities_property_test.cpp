@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "simulation/crowd_decider.h"
@@ -61,6 +62,42 @@ TEST(Activities, NoContactsAndEverybodyLeaves) {
       EXPECT_FALSE(result.agents[id].touched) << "seed " << seed << ", agent " << id;
     }
   }
+}
+
+/// People of all reactions and a robot that turns at random: nobody walks into anybody, or into the robot.
+TEST(Activities, ReactionsToARobotCauseNoContacts) {
+  std::set<Reaction> reacted;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    KeyedRandom random(seed, KeyedRandom::CONTENT, {});
+    Scene scene = straight_walk::sceneOf(
+        hall(random, "robots: [{name: r, position: [4, 6], radius: 0.3, max_speed: 0.8, yields: both}]\n"), 60.0, seed);
+    for (std::size_t i = 0; i < scene.agents.size(); ++i) scene.agents[i].reaction = static_cast<Reaction>(i % 6);
+    scene.tick_duration = 0.1;
+    scene.max_ticks = 600;
+    Learner learner = anticipationLearner();
+    CrowdDecider decider(learner);
+    Episode episode(scene, 0, learner.model().vision());
+    std::set<AgentId> by_robot;
+    while (!episode.isOver()) {
+      if (episode.world().tick() % 20 == 0) {
+        episode.robots().command(0, {{random.uniform(0.0, 0.8), 0.0}, random.uniform(-1.0, 1.0)});
+      }
+      if (!episode.walk(decider)) break;
+      for (const RobotContact& contact : episode.world().robots()[0].contacts) {
+        EXPECT_NE(contact.cause, ContactCause::PERSON) << "seed " << seed << ", agent " << contact.agent;
+        by_robot.insert(contact.agent);
+      }
+      for (const Agent& agent : episode.world().agents()) {
+        const bool reacts = agent.isHeldBy(Hold::REACTION) || agent.paceOf(Pace::REACTION) != 1.0;
+        if (reacts && agent.id < scene.agents.size()) reacted.insert(scene.agents[agent.id].reaction);
+      }
+    }
+    const EpisodeResult result = episode.result();
+    for (AgentId id = 0; id < result.agents.size(); ++id) {
+      EXPECT_TRUE(!result.agents[id].touched || by_robot.count(id) > 0) << "seed " << seed << ", agent " << id;
+    }
+  }
+  EXPECT_EQ(reacted.size(), 4U);
 }
 
 TEST(Activities, ThreadsDoNotMatter) {

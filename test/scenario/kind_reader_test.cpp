@@ -112,6 +112,29 @@ void ownSays(const std::string& entries, const std::string& expected) {
   says("own", "kinds: {own: {" + entries + "}}\n", "5: kinds.own" + expected);
 }
 
+TEST(KindReader, RefusesWrongReactions) {
+  const std::string names = "regular, indifferent, surprised, curious, scared, threatening";
+  says("child, reaction: scarred", "",
+       "4: agents[0].reaction: there is no reaction 'scarred', did you mean 'scared'? Known are " + names);
+  says("child, reaction: {happy: 1}", "", "4: agents[0].reaction: there is no reaction 'happy'; known are " + names);
+  says("child, reaction: {curious: -1}", "", "4: agents[0].reaction.curious: expected a number above 0, got '-1'");
+  says("child, reaction: {}", "",
+       "4: agents[0].reaction: expected the name of a reaction, or names and their shares {NAME: SHARE}, got a map");
+}
+
+TEST(KindReader, ReactionsShiftNoOtherDraws) {
+  const std::string crowd =
+      std::string(HEAD) + "agents: [{count: 20, position: {box: [[-5, -5], [5, 5]]}, goal: {box: [[-5, -5], [5, 5]]}, ";
+  const Scene plain = sceneOf(crowd + "kind: {adult: 1, child: 1}}]\n");
+  const Scene mixed = sceneOf(crowd + "kind: {adult: 1, child: 1}, reaction: {curious: 1, scared: 1}}]\n");
+  for (std::size_t i = 0; i < plain.agents.size(); ++i) {
+    EXPECT_EQ(mixed.agents[i].position, plain.agents[i].position);
+    EXPECT_EQ(mixed.agents[i].kind, plain.agents[i].kind);
+    EXPECT_EQ(plain.agents[i].reaction, Reaction::REGULAR);
+    EXPECT_GE(mixed.agents[i].reaction, Reaction::CURIOUS);
+  }
+}
+
 TEST(KindReader, RefusesWhatIsWrong) {
   says("chlid", "",
        "4: agents[0].kind: there is no kind 'chlid', did you mean 'child'? Known are adult, child, old, wheelchair, "

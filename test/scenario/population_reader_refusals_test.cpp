@@ -27,7 +27,7 @@ void sourceSays(const std::string& entries, const std::string& expected) {
 TEST(PopulationRefusals, Sources) {
   sourceSays("rate: 1, rat: 2",
              "sources[0]: unknown key 'rat', did you mean 'rate'? Known are area, rate, times, interval, from, until, "
-             "count, goal, goals, route, kind, speed, hurry, radius, groups");
+             "count, goal, goals, route, kind, speed, hurry, radius, groups, reaction");
   sourceSays("count: 3", "sources[0]: expected either rate or times, got neither");
   sourceSays("rate: 1, times: [1]", "sources[0]: expected either rate or times, got both");
   sourceSays("rate: -1", "sources[0].rate: expected a number above 0, got '-1'");

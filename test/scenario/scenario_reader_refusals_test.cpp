@@ -39,12 +39,12 @@ TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
   EXPECT_EQ(
       agentError("position: [0, 0], goal: [1, 1], speed: 1, radius: 0.2, sped: 1"),
       "s.yaml: document 1, line 5: agents[0]: unknown key 'sped', did you mean 'speed'? Known are position, goal, "
-      "goals, route, kind, speed, hurry, radius, heading, velocity, reaction_time, count, leader, groups");
+      "goals, route, kind, speed, hurry, radius, heading, velocity, reaction, reaction_time, count, leader, groups");
   // A misspelt required key is not reported as missing, because all keys are declared before the first is read.
   EXPECT_EQ(
       agentError("position: [0, 0], goal: [1, 1], speed: 1, raduis: 0.2"),
       "s.yaml: document 1, line 5: agents[0]: unknown key 'raduis', did you mean 'radius'? Known are position, goal, "
-      "goals, route, kind, speed, hurry, radius, heading, velocity, reaction_time, count, leader, groups");
+      "goals, route, kind, speed, hurry, radius, heading, velocity, reaction, reaction_time, count, leader, groups");
   EXPECT_EQ(errorOf("nmae: n\n" + std::string(AGENTS))
                 .find("s.yaml: document 1, line 1: unknown key 'nmae', did you mean "
                       "'name'? Known are name, units, tick, duration"),

@@ -73,6 +73,7 @@ void readFirstVelocity(const YamlMap& map, const Units& units, AgentGroup& group
 void readWalk(const YamlMap& map, const Units& units, const PopulationDescription& population, AgentGroup& group) {
   readGoals(map, population, group);
   readKindsOf(map, population.kinds, group);
+  readReactions(map, group);
   group.speed_of_kind = map.has("kind") && !map.has("speed");
   group.radius_of_kind = map.has("kind") && !map.has("radius");
   if (!group.speed_of_kind) {
@@ -91,7 +92,7 @@ AgentGroup readAgents(const YAML::Node& node, const YamlPlace& place, const Unit
                       const PopulationDescription& population) {
   const YamlMap map(node, place,
                     {"position", "goal", "goals", "route", "kind", "speed", "hurry", "radius", "heading", "velocity",
-                     "reaction_time", "count", "leader", "groups"});
+                     "reaction", "reaction_time", "count", "leader", "groups"});
   AgentGroup group;
   group.line = lineOf(node);
   group.position = readRegion(map.need("position"), map.placeOf("position"));

@@ -8,11 +8,11 @@
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/region_reader.h"
 #include "scenario/reading/scenario_files.h"
+#include "scenario/reading/share_reader.h"
 
 namespace crowd {
 namespace {
 
-constexpr NumberLimit SHARE{NumberRule::POSITIVE, 1e9, ""};
 constexpr double SHORTEST_PAUSE = 0.01;  // [s]; a tick may have many pauses
 
 Range readSpeedRange(const YAML::Node& node, const YamlPlace& place, const Units& units) {
@@ -108,26 +108,26 @@ std::vector<PersonKind> readKinds(const YamlMap& map, const Units& units) {
 }
 
 void readKindsOf(const YamlMap& map, const std::vector<PersonKind>& kinds, AgentGroup& group) {
-  const YAML::Node node = map.find("kind");
-  if (!node) return;
-  const YamlPlace place = map.placeOf("kind");
-  if (node.IsMap()) {
-    const YamlMap checked(node, place);
-    for (const auto& entry : node) {
-      const std::string& name = entry.first.Scalar();
-      const double share = readNumber(entry.second, place.child(namePart(name)), SHARE);
-      group.kinds.push_back(readShare(name, share, entry.first, place, kinds));
-    }
-  } else if (node.IsScalar()) {
-    group.kinds.push_back(readShare(node.Scalar(), 1.0, node, place, kinds));
-  }
-  if (group.kinds.empty()) throwExpected(place, node, "the name of a kind, or names and their shares {NAME: SHARE}");
+  readShares(map, "kind", [&](const std::string& name, double share, const YAML::Node& node, const YamlPlace& place) {
+    group.kinds.push_back(readShare(name, share, node, place, kinds));
+  });
+  if (group.kinds.empty()) return;
   group.max_speed = kinds[group.kinds.front().kind].speed.range;
   group.radius = kinds[group.kinds.front().kind].radius;
   for (const KindShare& each : group.kinds) {
     include(kinds[each.kind].speed.range, group.max_speed);
     include(kinds[each.kind].radius, group.radius);
   }
+}
+
+void readReactions(const YamlMap& map, AgentGroup& group) {
+  const std::vector<std::string> names(REACTIONS.names().begin(), REACTIONS.names().end());
+  const auto add = [&](const std::string& name, double share, const YAML::Node& node, const YamlPlace& place) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) throwProblem(place, node, unknownNameText("reaction", name, names));
+    group.reactions.push_back({static_cast<Reaction>(std::distance(names.begin(), found)), share});
+  };
+  readShares(map, "reaction", add);
 }
 
 void keepUsedKinds(std::vector<AgentGroup>& agents, PopulationDescription& population) {

@@ -18,6 +18,9 @@ std::vector<PersonKind> readKinds(const YamlMap& map, const Units& units);
 /// no kinds. Sets the ranges of speed and radius to those of all its kinds together. @throws InputError
 void readKindsOf(const YamlMap& map, const std::vector<PersonKind>& kinds, AgentGroup& group);
 
+/// @brief Reads `reaction` of an entry of agents in the same way. @throws InputError
+void readReactions(const YamlMap& map, AgentGroup& group);
+
 /// @brief Removes the kinds that no entry names.
 void keepUsedKinds(std::vector<AgentGroup>& agents, PopulationDescription& population);
 

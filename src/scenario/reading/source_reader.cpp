@@ -61,7 +61,7 @@ std::vector<SourceDescription> readSources(const YamlMap& map, const Units& unit
   const auto read = [&](const YAML::Node& node, const YamlPlace& place) {
     const YamlMap entry(node, place,
                         {"area", "rate", "times", "interval", "from", "until", "count", "goal", "goals", "route",
-                         "kind", "speed", "hurry", "radius", "groups"});
+                         "kind", "speed", "hurry", "radius", "groups", "reaction"});
     SourceDescription source;
     source.agents.line = lineOf(node);
     source.agents.position = readRegion(entry.need("area"), entry.placeOf("area"));

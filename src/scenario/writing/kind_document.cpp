@@ -25,6 +25,13 @@ std::string entryOf(const PersonKind& kind) {
   return text + "}\n";
 }
 
+template <typename Share, typename NameOf>
+std::string mixText(const std::string& key, const std::vector<Share>& shares, const NameOf& name_of) {
+  std::string text;
+  for (const Share& each : shares) text += (text.empty() ? "" : ", ") + name_of(each) + ": " + toText(each.share);
+  return text.empty() ? "" : ", " + key + ": {" + text + "}";
+}
+
 }  // namespace
 
 std::string kindText(const AgentStart& agent, const Scene& scene) {
@@ -33,11 +40,17 @@ std::string kindText(const AgentStart& agent, const Scene& scene) {
 }
 
 std::string kindText(const AgentGroup& agents, const PopulationDescription& population) {
-  std::string text;
-  for (const KindShare& each : agents.kinds) {
-    text += (text.empty() ? "" : ", ") + quotedYaml(population.kinds[each.kind].name) + ": " + toText(each.share);
-  }
-  return text.empty() ? "" : ", kind: {" + text + "}";
+  return mixText("kind", agents.kinds,
+                 [&](const KindShare& each) { return quotedYaml(population.kinds[each.kind].name); });
+}
+
+std::string reactionText(const AgentStart& agent) {
+  return agent.reaction == Reaction::REGULAR ? "" : ", reaction: " + REACTIONS.nameOf(agent.reaction);
+}
+
+std::string reactionText(const AgentGroup& agents) {
+  return mixText("reaction", agents.reactions,
+                 [](const ReactionShare& each) { return REACTIONS.nameOf(each.reaction); });
 }
 
 std::string kindsText(const Scene& scene) {

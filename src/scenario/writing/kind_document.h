@@ -12,6 +12,10 @@ std::string kindText(const AgentStart& agent, const Scene& scene);
 /// @brief The same of an entry of agents.
 std::string kindText(const AgentGroup& agents, const PopulationDescription& population);
 
+/// @brief The key `reaction`, with a comma before it; nothing for people who react as usual.
+std::string reactionText(const AgentStart& agent);
+std::string reactionText(const AgentGroup& agents);
+
 /// @brief The key `kinds`: those that agents and sources of the scene name.
 std::string kindsText(const Scene& scene);
 

@@ -107,7 +107,7 @@ std::string sourcesText(const PopulationDescription& population) {
   std::string text;
   for (const SourceDescription& source : population.sources) {
     text += "  - {area: " + regionText(source.agents.position) + ", " + scheduleText(source) + ", " +
-            goalText(source.agents, population) + kindText(source.agents, population) +
+            goalText(source.agents, population) + kindText(source.agents, population) + reactionText(source.agents) +
             (source.agents.speed_of_kind ? "" : ", speed: " + rangeText(source.agents.max_speed)) +
             optionalText("hurry", source.agents.hurry, {1.0, 1.0}) +
             (source.agents.radius_of_kind ? "" : ", radius: " + rangeText(source.agents.radius)) +

@@ -26,8 +26,9 @@ std::string goalText(const AgentStart& agent, const Scene& scene) {
 std::string entryOf(const AgentStart& agent, const Scene& scene) {
   return "  - {position: " + pointText(agent.position) + ", " + goalText(agent, scene) +
          (agent.reaction_time > 0.0 ? ", reaction_time: " + toText(agent.reaction_time) : "") + kindText(agent, scene) +
-         ", speed: " + toText(agent.max_speed) + (agent.hurry != 1.0 ? ", hurry: " + toText(agent.hurry) : "") +
-         ", radius: " + toText(agent.radius) + (agent.faces_goal ? "" : ", heading: " + headingText(agent.heading)) +
+         reactionText(agent) + ", speed: " + toText(agent.max_speed) +
+         (agent.hurry != 1.0 ? ", hurry: " + toText(agent.hurry) : "") + ", radius: " + toText(agent.radius) +
+         (agent.faces_goal ? "" : ", heading: " + headingText(agent.heading)) +
          (agent.velocity.isZero(0.0) ? "" : ", velocity: " + pointText(agent.velocity)) + "}\n";
 }
 
