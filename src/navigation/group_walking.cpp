@@ -31,6 +31,7 @@ Vector2 leftOf(const Vector2& forward) { return {-forward.y(), forward.x()}; }
 }  // namespace
 
 void GroupWalking::update(World& world, const Paths& paths, const FloorRuler* floor) {
+  if (!world.hasGroups()) return;
   collect(world);
   const auto ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(DECISION_TIME / world.tickDuration())));
   for (auto& [number, group] : groups_) {

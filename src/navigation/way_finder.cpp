@@ -79,6 +79,7 @@ SizedFloor& WayFinder::floorOf(const Agent& agent, const World& world) {
 
 /// Where there is nothing to walk round.
 void WayFinder::leadGroups(World& world) {
+  if (!world.hasGroups()) return;
   groups_.update(world, {}, nullptr);
   if (groups_.empty()) return;
   for (const Agent& agent : world.agents()) {
@@ -111,7 +112,8 @@ void WayFinder::lead(Agent& agent, Way& way, SizedFloor& floor, const World& wor
   }
   Vector2 next = nextPoint(agent, way, floor, world.stopRequest());
   const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
-  const std::optional<Vector2> aim = is_led ? groups_.aimOf(agent, next) : std::nullopt;
+  const bool has_mates = is_led && agent.group != NO_GROUP;
+  const std::optional<Vector2> aim = has_mates ? groups_.aimOf(agent, next) : std::nullopt;
   if (aim && floor.tight().isStraight(agent.pose.position, *aim)) next = *aim;
   // An agent in a wall or an obstacle, as in a ghost world, is not led, but may walk out of it.
   way.out_of_reach = !is_led && floor.tight().component(agent.pose.position).has_value();

@@ -177,7 +177,8 @@ bool RobotReactions::canWalk(const Agent& agent, const Vector2& place, const Wor
 }
 
 void RobotReactions::dropPlace(Person& person, Agent& agent) {
-  if (person.place && agent.goal() == *person.place) agent.passGoal();
+  const bool walks_there = person.place && agent.goal() == *person.place;
+  if (walks_there && agent.next_goal + 1 < agent.goals.size()) agent.passGoal();  // else a user has set this goal
   person.place.reset();
 }
 

@@ -39,7 +39,10 @@ World::World(const Scene& scene, StopRequest stop)
   walls_.replaceAll(scene.walls);
   std::vector<Agent> agents;
   agents.reserve(scene.agents.size());
-  for (const AgentStart& start : scene.agents) agents.emplace_back(static_cast<AgentId>(agents.size()), start);
+  for (const AgentStart& start : scene.agents) {
+    agents.emplace_back(static_cast<AgentId>(agents.size()), start);
+    has_groups_ = has_groups_ || start.group != NO_GROUP;
+  }
   lasting_count_ = entered_count_ = active_count_ = agents.size();
   agents_.replace(std::move(agents));
   refresh();

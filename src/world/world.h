@@ -65,6 +65,8 @@ class World {
   std::size_t enteredCount() const { return entered_count_; }
   /// @brief What is known of the agents that are no longer among agents().
   const DepartedAgents& departed() const { return departed_; }
+  /// @brief Whether any agent so far walks with others (Agent::group).
+  bool hasGroups() const { return has_groups_; }
   /// @brief Number of agents on their way.
   std::size_t activeCount() const { return active_count_; }
   /// @brief Whether the agent exists and is on its way.
@@ -153,6 +155,7 @@ class World {
   AgentMap<Agent> agents_;
   std::size_t lasting_count_ = 0;  // the first ones, which stay there when they have arrived: those of the scene
   std::size_t entered_count_ = 0;
+  bool has_groups_ = false;
   DepartedAgents departed_;
   std::vector<Obstacle> obstacles_;
   Robots robots_;

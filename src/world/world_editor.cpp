@@ -41,6 +41,7 @@ AgentId WorldEditor::spawnAgent(const AgentStart& start) {
   review(change);
   world_.agents_.add(agent.id) = agent;
   ++world_.entered_count_;
+  world_.has_groups_ = world_.has_groups_ || start.group != NO_GROUP;
   ++world_.active_count_;
   world_.refresh();
   note(change);

@@ -166,7 +166,7 @@ std::vector<double> pathOf(const std::string& keys) {
 TEST(RobotReactions, NobodyReactsToWhatNobodySees) {
   const std::vector<double> regular = pathOf(walker("regular") + robotAt("[10, 1]"));
   EXPECT_EQ(pathOf(walker("indifferent") + robotAt("[10, 1]")), regular);
-  for (const std::string& reaction : {"surprised", "curious", "scared", "threatening"}) {
+  for (const std::string reaction : {"surprised", "curious", "scared", "threatening"}) {
     EXPECT_NE(pathOf(walker(reaction) + robotAt("[10, 1]")), regular) << reaction;
     EXPECT_EQ(pathOf(walker(reaction)), regular) << reaction;
     EXPECT_EQ(pathOf(walker(reaction) + robotAt("[10, 1]", "perceived: false")), regular) << reaction;
@@ -180,7 +180,7 @@ TEST(RobotReactions, GoalsRoutesAndAlarmsEndThem) {
   const std::string keys = robotAt("[8, 0]") +
                            "routes: {back: {waypoints: [{place: [0, 9]}]}}\n"
                            "sinks: {exit: {area: [0, -9]}}\n";
-  for (const std::string& reaction : {"surprised", "curious", "scared", "threatening"}) {
+  for (const std::string reaction : {"surprised", "curious", "scared", "threatening"}) {
     Episode by_goal = episodeOf(walker(reaction) + keys);
     walkUntil(5.5, by_goal);
     by_goal.edit().setGoal(0, {-5.0, 0.0});
@@ -203,7 +203,7 @@ TEST(RobotReactions, GoalsRoutesAndAlarmsEndThem) {
 
 /// The follower keeps its goal beside that of its leader.
 TEST(RobotReactions, FollowersStayWithTheirLeader) {
-  for (const std::string& reaction : {"curious", "scared", "threatening"}) {
+  for (const std::string reaction : {"curious", "scared", "threatening"}) {
     Episode episode = episodeOf(
         "agents:\n"
         "  - {position: [0, 0], goal: [20, 0], speed: 1, radius: 0.2}\n"
