@@ -14,10 +14,10 @@ namespace {
 /// When and how people react. Distances from centre to centre and times are those of HuNavSim (behaviour trees of
 /// hunav_agent_manager); paces and gaps are our choice.
 struct ReactionRule {
-  double distance;    // within which a robot is met [m]
-  double time;        // [s]
-  double pace = 1.0;  // factor of the speed
-  double gap = 0.0;   // between the rims of agent and robot at the place where it stands [m]
+  double distance = 0.0;  // within which a robot is met [m]
+  double time = 0.0;      // [s]
+  double pace = 1.0;      // factor of the speed
+  double gap = 0.0;       // between the rims of agent and robot at the place where it stands [m]
 };
 
 ReactionRule ruleOf(Reaction reaction) {
@@ -35,15 +35,15 @@ ReactionRule ruleOf(Reaction reaction) {
     case Reaction::INDIFFERENT:
       break;
   }
-  return {0.0, 0.0};
+  return {};
 }
 
 constexpr double FORGET_FACTOR = 1.5;    // of the distance
 const double SIGHT = toRadians(100.0);   // to either side
 constexpr double PLACE_TOLERANCE = 0.3;  // [m]; a place moves with the robot
 constexpr double FLIGHT_STEP = 2.0;      // [m]
-constexpr std::array<double, 5> FLIGHT_TURNS{0.0, 40.0, -40.0, 80.0,
-                                             -80.0};  // from the direction away from the robot [degrees]
+// From the direction away from the robot [degrees]:
+constexpr std::array<double, 5> FLIGHT_TURNS{0.0, 40.0, -40.0, 80.0, -80.0};
 
 bool hasClearSight(const Agent& agent, const Robot& robot, const World& world) {
   return world.walls().index().isClear(agent.pose.position, robot.pose.position, 0.0);
