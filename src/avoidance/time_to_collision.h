@@ -78,7 +78,8 @@ struct CandidateVelocities {
 /// @brief Updates the times to collision of the candidates with all neighbours and walls of a perception, in single
 /// precision.
 /// @param preferred the velocity straight to the goal at maximum speed, agent frame [m/s]
-/// @param personal_space by which other agents count as larger, as far as that leaves a part of the present gap [m]
+/// @param personal_space by which other agents count as larger, as far as that leaves a part of the gap to the nearest
+/// one [m]
 void accumulateTimeToCollision(const Perception& seen, const Vector2& preferred, double personal_space,
                                CandidateVelocities& candidates);
 

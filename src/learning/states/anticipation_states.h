@@ -36,7 +36,8 @@ class AnticipationStates : public StateSet, public ExplainedRows {
     std::vector<double> turns = {4, 15, 45};
     /// Fastest approach of another agent if this one had its preferred velocity [maximum speeds].
     std::vector<double> oncoming = {1.2};
-    /// By which other agents count as larger in the times to collision, as far as that leaves a part of the gap [m].
+    /// By which other agents count as larger in the times to collision, as far as that leaves a part of
+    /// the gap to the nearest one [m].
     double personal_space = 0.0;
   };
 
