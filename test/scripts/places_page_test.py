@@ -29,9 +29,9 @@ def assert_all_arrive(rows, people):
 class PageTest:
     """Every place has a section with a picture, and a row in the list of demos."""
 
-    def test_there_are_seven_places(self):
+    def test_there_are_eight_places(self):
         assert set(NAMES) == {'place_office', 'place_station', 'place_supermarket', 'place_bottleneck',
-                              'place_two_way_door', 'place_corner', 'place_t_junction'}
+                              'place_two_way_door', 'place_corner', 'place_t_junction', 'place_museum'}
 
     @pytest.mark.parametrize('name', NAMES)
     def test_sections(self, name):
@@ -51,6 +51,11 @@ class PlacesTest:
                                               ('place_t_junction', 30), ('place_two_way_door', 24)])
     def test_all_arrive(self, runner, name, people):
         assert_all_arrive(walk(runner, in_package('config', 'scenarios', f'{name}.yaml'), 5), 5 * people)
+
+    def test_groups_leave_the_museum(self, runner):
+        rows = walk(runner, in_package('config', 'scenarios', 'place_museum.yaml'), 2)
+        assert_all_arrive(rows, len(rows))
+        assert len(rows) > 40
 
     @pytest.mark.parametrize('name', ['place_station', 'place_supermarket'])
     def test_all_agents_of_sources_leave(self, runner, name):

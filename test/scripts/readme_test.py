@@ -29,7 +29,7 @@ WALKING = [
     'roslaunch social_crowd replay.launch bag:=$PWD/walk.bag',
     'roslaunch social_crowd replay.launch trajectories:=$PWD/obsmat.txt',
     *(f'{DEMO} scenario:=place_{name}' for name in ('station', 'office', 'supermarket', 'bottleneck', 'two_way_door',
-                                                    'corner', 't_junction')),
+                                                    'corner', 't_junction', 'museum')),
 ]
 IN_RVIZ = [DEMO, 'roslaunch social_crowd train.launch output:=/tmp/table.txt rviz:=true real_time_factor:=20']
 MOVE_BASE = 'roslaunch social_crowd move_base.launch'
