@@ -41,7 +41,7 @@ std::optional<Vector2> AgentSource::drawPlace(double radius, const World& world,
   const KeyedRandom random = random_.with(created_).with(START).with(world.tick());
   if (const std::optional<AgentId> leader = parties_.leaderOfNext()) {
     const Vector2& beside = world.agents()[*leader].pose.position;
-    const auto place = places.drawStart(placesBeside(beside, radius), radius, random.with(PARTY), world);
+    auto place = places.drawStart(placesBeside(beside, radius), radius, random.with(PARTY), world);
     if (place && world.walls().index().isClear(beside, *place, 0.0)) return place;
   }
   return places.drawStart(source_->agents.position, radius, random, world);

@@ -30,8 +30,8 @@ class Distraction {
   struct Person {
     AgentId id = 0;
     PauseDescription pauses;
-    KeyedRandom random;
-    double next_change;  // [s]
+    KeyedRandom random{0, KeyedRandom::DISTRACTION, {}};
+    double next_change = 0.0;  // [s]
     bool is_distracted = false;
   };
   static double drawInterval(Person& person);

@@ -21,7 +21,7 @@ Vector2 Followers::goalBeside(const Vector2& goal, const Vector2& from, std::siz
   const double step = 2.0 * radius + GOAL_GAP;
   for (int ring = 1; ring <= RINGS; ++ring) {
     for (const double angle : PLACES) {
-      const Vector2 place = goal + ring * step * unitVector(bearing + angle * PI);
+      Vector2 place = goal + ring * step * unitVector(bearing + angle * PI);
       const bool fits = places_.fits(place, radius, world) && world.walls().index().isClear(goal, place, 0.0);
       if (fits && number-- == 0) return place;
     }

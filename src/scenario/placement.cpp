@@ -295,7 +295,7 @@ Vector2 Placement::drawPosition(const AgentGroup& group, const AgentStart& agent
   if (!follows) return group.position.draw(random_, scene_.free_space.get());
   const Vector2& leader = scene_.agents[agent.leader->number].position;
   for (int i = 0; i < TRIES_BESIDE; ++i) {
-    const Vector2 place = placesBeside(leader, group.radius.high).draw(random_);
+    Vector2 place = placesBeside(leader, group.radius.high).draw(random_);
     if (placed_.canWalkBetween(leader, place)) return place;
   }
   return leader;  // taken

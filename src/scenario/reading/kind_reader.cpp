@@ -140,6 +140,7 @@ void keepUsedKinds(std::vector<AgentGroup>& agents, PopulationDescription& popul
   };
   for_each_share([&](const KindShare& each) { used.insert(each.kind); });
   std::vector<PersonKind> kept;
+  kept.reserve(used.size());
   for (const std::size_t kind : used) kept.push_back(population.kinds[kind]);
   population.kinds = std::move(kept);
   for_each_share([&](KindShare& each) {

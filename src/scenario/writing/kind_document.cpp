@@ -9,7 +9,7 @@ namespace crowd {
 namespace {
 
 std::string speedText(const Distribution& speed) {
-  const std::string range = rangeText(speed.range);
+  std::string range = rangeText(speed.range);
   if (!speed.normal) return range;
   return "{mean: " + toText(speed.normal->mean) + ", deviation: " + toText(speed.normal->deviation) +
          ", range: " + range + "}";
