@@ -14,9 +14,9 @@ namespace crowd {
 /// @brief Keeps the members of each group (Agent::group) together while they walk (docs/groups.md): each gets a place
 /// beside its mates, to whose side it walks, and a pace that lets those behind catch up.
 ///
-/// Members walk abreast, with the inner ones a little behind (a V, Moussaid et al. 2010) the denser the crowd is, and
-/// in rows, at last in file, where the floor or the crowd leaves no room. All walk at the speed of the slowest, which
-/// falls with the size of the group.
+/// Members walk abreast, the inner ones the more behind the denser the crowd is (a V, Moussaid et al. 2010), and in
+/// rows, at last in file, where the floor leaves no room. All walk at the speed of the slowest, less for each mate;
+/// those ahead wait where others can pass. In a dense crowd each walks alone until it is less dense.
 ///
 /// Call contract: update() once per tick, before the agents are led; then aimOf() for each agent. Deterministic;
 /// depends only on the world and the ways. Not thread-safe.
@@ -75,7 +75,7 @@ class GroupWalking {
   static void arrange(std::vector<Walker>& walkers, std::size_t columns, double spacing, double bend);
   void assign(const std::vector<Walker>& walkers, World& world, const FloorRuler* floor);
 
-  std::map<std::uint32_t, Group> groups_;
+  std::map<GroupId, Group> groups_;
   AgentMap<Member> members_;
 };
 

@@ -144,10 +144,8 @@ bool Attractions::goOn(Visit& visit, World& world) const {
 void Attractions::face(const Visit& visit, World& world) const {
   if (!visit.waits) return;
   const AttractionDescription& attraction = attractions_[visit.attraction];
-  FacingDescription middle;
-  middle.kind = FacingDescription::Kind::POINT;
-  middle.point = middleOf(attraction.area);
-  turnTowards(attraction.face.value_or(middle), visit.id, world);
+  if (attraction.face) return turnTowards(*attraction.face, visit.id, world);
+  turnTowards(middleOf(attraction.area), visit.id, world);
 }
 
 void Attractions::leave(AgentId id, bool for_good, World& world) {

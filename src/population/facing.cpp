@@ -37,4 +37,11 @@ void turnTowards(const FacingDescription& face, AgentId id, World& world) {
   agent.setHeading(std::abs(turn) <= most ? *wanted : agent.pose.heading + std::copysign(most, turn));
 }
 
+void turnTowards(const Vector2& place, AgentId id, World& world) {
+  FacingDescription face;
+  face.kind = FacingDescription::Kind::POINT;
+  face.point = place;
+  turnTowards(face, id, world);
+}
+
 }  // namespace crowd

@@ -9,5 +9,7 @@ namespace crowd {
 /// of the motion limits if that is less). The heading of an agent at rest is only the frame of its perception. Does
 /// nothing while it still brakes, and if there is no such robot.
 void turnTowards(const FacingDescription& face, AgentId id, World& world);
+/// @brief The same towards a place [m], `map`.
+void turnTowards(const Vector2& place, AgentId id, World& world);
 
 }  // namespace crowd

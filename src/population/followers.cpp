@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace crowd {
 namespace {
@@ -47,19 +48,18 @@ Vector2 Followers::goalBehind(RobotId robot, std::size_t number, double radius, 
   return goalBeside(place, place - ahead, number, radius, world);
 }
 
-std::size_t Followers::countOf(const Leader& leader) const {
-  return static_cast<std::size_t>(std::count_if(followers_.begin(), followers_.end(), [&](const Follower& follower) {
-    return groupOf(follower.leader) == groupOf(leader);
-  }));
+std::vector<Followers::Follower>::const_iterator Followers::lowerBound(AgentId id) const {
+  const auto before = [](const Follower& follower, AgentId sought) { return follower.id < sought; };
+  return std::lower_bound(followers_.begin(), followers_.end(), id, before);
 }
 
 void Followers::add(AgentId id, const Leader& leader, bool is_endless, const World& world, RouteObserver& observer) {
   Follower follower;
   follower.id = id;
   follower.leader = leader;
-  follower.number = countOf(leader);
+  follower.number = counts_[groupOf(leader)]++;
   if (leader.kind == Leader::Kind::AGENT) follower.leader_goals = world.agents()[leader.number].goals;
-  followers_.push_back(follower);
+  followers_.insert(lowerBound(id), std::move(follower));
   observer.setEndless(id, is_endless);
 }
 
@@ -93,21 +93,21 @@ void Followers::release(const Follower& follower, World& world, RouteObserver& o
 void Followers::followAgent(Follower& follower, World& world, RouteObserver& observer) const {
   const Agent& leader = world.agents()[follower.leader.number];
   Agent& agent = world.walkingAgent(follower.id);
-  follower.goes_stepwise = follower.goes_stepwise || leader.goals != follower.leader_goals;
-  agent.leaves = leader.leaves && (!follower.goes_stepwise || leader.next_goal + 1 >= leader.goals.size());
-  if (leader.isHeldBy(Hold::ATTRACTION)) agent.leaves = false;
-  const bool is_same_goal = follower.leader_goals == std::vector<Vector2>{leader.goal()};
-  if (!follower.goes_stepwise || is_same_goal || leader.isHeldBy(Hold::ATTRACTION)) return;
-  follower.leader_goals = {leader.goal()};
+  const bool is_single = follower.single_goal || leader.goals != follower.leader_goals;
+  const bool is_last = !is_single || leader.next_goal + 1 >= leader.goals.size();
+  const bool visits = leader.isHeldBy(Hold::ATTRACTION);
+  agent.leaves = leader.leaves && is_last && !visits;
+  if (!is_single || visits || follower.single_goal == leader.goal()) return;
+  follower.single_goal = leader.goal();
   agent.setGoals(goalsBeside({leader.goal()}, leader.pose.position, follower.number, agent.radius, world));
   observer.extendWay(agent);
 }
 
 void Followers::followRobot(Follower& follower, World& world, RouteObserver& observer) const {
   const Pose& pose = world.robots().require(follower.leader.number).pose;
-  const std::vector<Vector2> present = {pose.position, unitVector(pose.heading)};
-  if (present == follower.leader_goals) return;
-  follower.leader_goals = present;
+  const std::optional<Pose>& last = follower.robot_pose;
+  if (last && last->position == pose.position && last->heading == pose.heading) return;
+  follower.robot_pose = pose;
   const Agent& agent = world.agents()[follower.id];
   const Vector2 goal = goalBehind(follower.leader.number, follower.number, agent.radius, world);
   if ((goal - agent.goal()).norm() < ROBOT_DISTANCE) return;
@@ -116,15 +116,13 @@ void Followers::followRobot(Follower& follower, World& world, RouteObserver& obs
 }
 
 std::optional<Leader> Followers::leaderOf(AgentId id) const {
-  const auto has_id = [id](const Follower& follower) { return follower.id == id; };
-  const auto found = std::find_if(followers_.begin(), followers_.end(), has_id);
-  return found == followers_.end() ? std::nullopt : std::optional<Leader>(found->leader);
+  const auto found = lowerBound(id);
+  return found == followers_.end() || found->id != id ? std::nullopt : std::optional<Leader>(found->leader);
 }
 
 void Followers::drop(AgentId id, World& world, RouteObserver& observer) {
-  const auto has_id = [id](const Follower& follower) { return follower.id == id; };
-  const auto found = std::find_if(followers_.begin(), followers_.end(), has_id);
-  if (found == followers_.end()) return;
+  const auto found = lowerBound(id);
+  if (found == followers_.end() || found->id != id) return;
   release(*found, world, observer);
   followers_.erase(found);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -27,8 +28,11 @@ class Followers {
                                    const World& world) const;
   /// @brief The same for a place behind a robot.
   Vector2 goalBehind(RobotId robot, std::size_t number, double radius, const World& world) const;
-  /// @brief Number of followers of a leader.
-  std::size_t countOf(const Leader& leader) const;
+  /// @brief Number of followers that a leader has had.
+  std::size_t countOf(const Leader& leader) const {
+    const auto found = counts_.find(groupOf(leader));
+    return found == counts_.end() ? 0 : found->second;
+  }
   /// @param is_endless its leader never arrives
   void add(AgentId id, const Leader& leader, bool is_endless, const World& world, RouteObserver& observer);
   /// @brief Sets the goals that have changed.
@@ -40,9 +44,10 @@ class Followers {
   struct Follower {
     AgentId id = 0;
     Leader leader;
-    std::size_t number = 0;             // among the followers of this leader
-    std::vector<Vector2> leader_goals;  // that its own goals are beside; place and direction of a robot
-    bool goes_stepwise = false;
+    std::size_t number = 0;              // among the followers of this leader
+    std::vector<Vector2> leader_goals;   // that its own goals are beside
+    std::optional<Vector2> single_goal;  // of the leader, if it gets one after the other
+    std::optional<Pose> robot_pose;      // that its goal is behind
   };
 
   void followAgent(Follower& follower, World& world, RouteObserver& observer) const;
@@ -54,7 +59,11 @@ class Followers {
                      const World& world) const;
 
   PlacePicker places_;
-  std::vector<Follower> followers_;
+  /// The first follower whose id is not lower.
+  std::vector<Follower>::const_iterator lowerBound(AgentId id) const;
+
+  std::vector<Follower> followers_;  // by ascending id
+  std::map<GroupId, std::size_t> counts_;
 };
 
 }  // namespace crowd

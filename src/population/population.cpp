@@ -263,11 +263,10 @@ bool Population::expectsAgents() const {
 }
 
 /// Whether an agent's leader never arrives.
-bool Population::isEndless(const Leader& leader, const World& world) const {
+bool Population::isEndless(const Leader& leader, const World& world) {
   if (leader.kind == Leader::Kind::ROBOT) return !world.robots().require(leader.number).hasGoal();
-  const auto is_it = [&](const Member& member) { return member.id == leader.number; };
-  const auto member = std::find_if(members_.begin(), members_.end(), is_it);
-  return member != members_.end() && member->route && member->route->repeats();
+  const Member* const member = find(leader.number);
+  return member != nullptr && member->route && member->route->repeats();
 }
 
 void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways, World& world,

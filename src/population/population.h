@@ -96,7 +96,7 @@ class Population {
   /// Returns the goal of an agent's present leg, and sets its sink.
   Vector2 goalOfLeg(Member& member, const Vector2& from, double radius, const World& world);
   void chooseGoalsOfFollowers(Scene& scene, const World& world) const;
-  bool isEndless(const Leader& leader, const World& world) const;
+  bool isEndless(const Leader& leader, const World& world);
   void beginLeg(Member& member, World& world);
   /// An agent that is sent elsewhere leaves its group, unless it leads it.
   void leaveGroup(AgentId id, World& world, RouteObserver& observer);

@@ -63,10 +63,7 @@ Vector2 directionFrom(const Robot& robot, const Agent& agent) {
 
 void standAndLook(const Vector2& place, AgentId id, World& world) {
   world.walkingAgent(id).setHeld(Hold::REACTION, true);
-  FacingDescription face;
-  face.kind = FacingDescription::Kind::POINT;
-  face.point = place;
-  turnTowards(face, id, world);
+  turnTowards(place, id, world);
 }
 
 }  // namespace

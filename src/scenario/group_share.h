@@ -9,8 +9,13 @@ namespace crowd {
 
 /// @brief How many of the agents of an entry walk in groups.
 struct GroupShare {
-  double share = 0.0;           ///< of the agents that are in groups
-  std::vector<double> weights;  ///< of groups of 2, 3, 4 ... members; they need not add up to 1
+  /// Groups of a size, and their share of all groups in proportion to the other shares.
+  struct Size {
+    std::size_t members = 2;
+    double share = 1.0;
+  };
+  double share = 0.0;       ///< of the agents that are in groups
+  std::vector<Size> sizes;  ///< at least one, unless `share` is 0
 
   /// @brief Draws with how many others the next agent walks, itself included; 1: alone.
   std::size_t drawSize(KeyedRandom random) const;

@@ -36,5 +36,19 @@ TEST(FloorScene, KeepsLeadersAndGroups) {
   EXPECT_EQ(scene.agents[4].leader->kind, Leader::Kind::ROBOT);
 }
 
+/// A follower whose leader was removed since the last tick is saved with its own goals.
+TEST(FloorScene, KeepsFollowersOfARemovedLeader) {
+  Episode episode = straight_walk::episodeOf(
+      "agents:\n"
+      "  - {position: [0, 0], goal: [30, 0], speed: 1, radius: 0.2}\n"
+      "  - {position: [0, 1], leader: 0, speed: 1, radius: 0.2}\n");
+  straight_walk::walkUntil(3.0, episode);
+  episode.edit().removeAgent(0);
+  const Scene scene = sceneOnFloor(episode, false);
+  ASSERT_EQ(scene.agents.size(), 1U);
+  EXPECT_FALSE(scene.agents[0].leader);
+  EXPECT_NEAR(scene.agents[0].goals.front().x(), 30.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace crowd::floor_scene_test

@@ -18,7 +18,7 @@ using scenario_texts::sceneOf;
 /// 44 % of the people in groups, of which 3 in 4 are pairs and the others have four members. 100 people: 12.57 pairs
 /// ... the shares are those of the definition, to three standard deviations of 20,000 draws.
 TEST(GroupShare, DrawsThisShareOfThePeople) {
-  const GroupShare groups{0.44, {0.75, 0.0, 0.25}};
+  const GroupShare groups{0.44, {{2, 0.75}, {4, 0.25}}};
   double people = 0.0;
   std::vector<double> count(5, 0.0);
   for (std::uint64_t i = 0; i < 20000; ++i) {
@@ -36,7 +36,7 @@ TEST(GroupShare, WithoutAShareAllWalkAlone) {
 }
 
 TEST(Parties, EndWithTheEntry) {
-  const GroupShare groups{1.0, {0.0, 1.0}};
+  const GroupShare groups{1.0, {{3, 1.0}}};
   Parties parties(groups, KeyedRandom(1, KeyedRandom::GROUPS, {}));
   EXPECT_EQ(parties.next(4, 5), std::nullopt);
   EXPECT_TRUE(parties.leads());
@@ -76,7 +76,8 @@ TEST(GroupReader, ReportsErrors) {
   EXPECT_TRUE(contains(agentError(follower + "{robot: r}"), "there is no robot 'r'"));
   EXPECT_TRUE(contains(agentError(base + ", groups: {share: 2}"), "agents[0].groups.share"));
   EXPECT_TRUE(contains(agentError(base + ", groups: {share: 1, sizes: {1: 1}}"), "a map of sizes from 2 to 20"));
-  EXPECT_TRUE(contains(agentError(base + ", groups: {share: 1, sizes: {2: 0}}"), "a weight above 0"));
+  EXPECT_TRUE(
+      contains(agentError(base + ", groups: {share: 1, sizes: {2: 0}}"), "groups.sizes.2: expected a number above 0"));
   const auto groups_error = [&](const std::string& groups) {
     const std::string other = "position: [9, 9], goal: [4, 3], speed: 1.3, radius: 0.25";
     return scenario_texts::errorOf(std::string(HEAD) + "agents:\n  - {" + base + "}\n  - {" + other + "}\ngroups:\n" +

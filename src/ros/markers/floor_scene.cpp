@@ -82,7 +82,11 @@ Scene sceneOnFloor(const Episode& episode, bool with_map_file) {
   for (const auto& [id, number] : numbers) {
     std::optional<Leader> leader = episode.population().leaderOf(id);
     if (!leader) continue;
-    if (leader->kind == Leader::Kind::AGENT) leader->number = numbers.at(leader->number);
+    if (leader->kind == Leader::Kind::AGENT) {
+      const auto found = numbers.find(leader->number);
+      if (found == numbers.end()) continue;  // it was removed since the last tick
+      leader->number = found->second;
+    }
     agents[number].leader = leader;
     agents[number].group = groupOf(*leader);
     if (leader->kind == Leader::Kind::AGENT) agents[leader->number].group = agents[number].group;

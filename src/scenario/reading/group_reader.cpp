@@ -13,26 +13,23 @@ namespace {
 
 constexpr std::int64_t LAST_AGENT = 9'999'999;
 constexpr std::size_t LARGEST_GROUP = 20;
-constexpr NumberLimit WEIGHT{NumberRule::NOT_NEGATIVE, 1e9, ""};
-const std::vector<double> PAIRS_AND_MORE = {0.7, 0.2, 0.1};  // of groups of 2, 3 and 4
+constexpr NumberLimit WEIGHT{NumberRule::POSITIVE, 1e9, ""};
+const std::vector<GroupShare::Size> PAIRS_AND_MORE = {{2, 0.7}, {3, 0.2}, {4, 0.1}};
 
 /// Reads {SIZE: WEIGHT, ...}.
-std::vector<double> readSizes(const YAML::Node& node, const YamlPlace& place) {
+std::vector<GroupShare::Size> readSizes(const YAML::Node& node, const YamlPlace& place) {
   const std::string expected = "a map of sizes from 2 to " + std::to_string(LARGEST_GROUP) + " to weights";
   if (!node.IsMap() || node.size() == 0) throwExpected(place, node, expected);
   const YamlMap checked(node, place);  // no duplicate keys
-  std::vector<double> weights;
-  double sum = 0.0;
+  std::vector<GroupShare::Size> sizes;
+  sizes.reserve(node.size());
   for (const auto& entry : node) {
     std::size_t size = 0;
     const bool is_size = YAML::convert<std::size_t>::decode(entry.first, size) && size >= 2 && size <= LARGEST_GROUP;
     if (!is_size) throwExpected(place, entry.first, expected);
-    weights.resize(std::max(weights.size(), size - 1), 0.0);
-    weights[size - 2] += readNumber(entry.second, place.child(entry.first.Scalar()), WEIGHT);
-    sum += weights[size - 2];
+    sizes.push_back({size, readNumber(entry.second, place.child(entry.first.Scalar()), WEIGHT)});
   }
-  if (sum <= 0.0) throwExpected(place, node, "a weight above 0");
-  return weights;
+  return sizes;
 }
 
 AgentId readAgentNumber(const YAML::Node& node, const YamlPlace& place) {
@@ -95,7 +92,7 @@ GroupShare readGroupShare(const YamlMap& map) {
   GroupShare groups;
   groups.share = entry.number("share", NumberRule::FRACTION);
   const YAML::Node sizes = entry.find("sizes");
-  groups.weights = sizes ? readSizes(sizes, entry.placeOf("sizes")) : PAIRS_AND_MORE;
+  groups.sizes = sizes ? readSizes(sizes, entry.placeOf("sizes")) : PAIRS_AND_MORE;
   return groups;
 }
 

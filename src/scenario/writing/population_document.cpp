@@ -96,11 +96,10 @@ std::string gateText(const GateDescription& gate) {
 
 std::string sharesText(const GroupShare& groups) {
   if (groups.share <= 0.0) return "";
-  std::string sizes;
-  for (std::size_t i = 0; i < groups.weights.size(); ++i) {
-    sizes += (i > 0 ? ", " : "") + std::to_string(i + 2) + ": " + toText(groups.weights[i]);
-  }
-  return ", groups: {share: " + toText(groups.share) + ", sizes: {" + sizes + "}}";
+  const auto size = [](const GroupShare::Size& each) {
+    return std::to_string(each.members) + ": " + toText(each.share);
+  };
+  return ", groups: {share: " + toText(groups.share) + ", sizes: {" + listText(groups.sizes, size) + "}}";
 }
 
 std::string sourcesText(const PopulationDescription& population) {
