@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "meshes/navigation_mesh.h"
 #include "navigation/floor_ruler.h"
-#include "navigation/navigation_mesh.h"
 
 namespace crowd {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/span.h"
-#include "navigation/navigation_mesh.h"
+#include "meshes/navigation_mesh.h"
 
 namespace crowd {
 

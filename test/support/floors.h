@@ -8,7 +8,7 @@
 
 #include "common/random.h"
 #include "maps/floor_plan.h"
-#include "navigation/navigation_mesh.h"
+#include "meshes/navigation_mesh.h"
 
 /// Floors for tests of way-finding, and distances on them.
 namespace crowd::floors {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "navigation/mesh_data.h"
+#include "meshes/mesh_data.h"
 
 namespace crowd {
 

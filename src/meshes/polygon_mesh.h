@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "navigation/floor_regions.h"
+#include "meshes/floor_regions.h"
 
 namespace crowd {
 

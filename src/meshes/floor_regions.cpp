@@ -1,4 +1,4 @@
-#include "navigation/floor_regions.h"
+#include "meshes/floor_regions.h"
 
 #include <algorithm>
 

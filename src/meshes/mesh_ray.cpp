@@ -1,4 +1,4 @@
-#include "navigation/mesh_ray.h"
+#include "meshes/mesh_ray.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "navigation/mesh_data.h"
+#include "meshes/mesh_data.h"
 
 #include <recastnavigation/DetourNavMeshBuilder.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "common/text/numbers.h"
-#include "navigation/polygon_mesh.h"
+#include "meshes/polygon_mesh.h"
 #include "social_crowd/errors.h"
 
 namespace crowd {

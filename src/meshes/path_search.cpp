@@ -1,4 +1,4 @@
-#include "navigation/path_search.h"
+#include "meshes/path_search.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "navigation/navigation_mesh.h"
+#include "meshes/navigation_mesh.h"
 
 #include <gtest/gtest.h>
 

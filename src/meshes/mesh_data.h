@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "navigation/floor_raster.h"
-#include "navigation/navigation_mesh.h"
-#include "navigation/polygon_grid.h"
+#include "meshes/floor_raster.h"
+#include "meshes/navigation_mesh.h"
+#include "meshes/polygon_grid.h"
 
 namespace crowd {
 

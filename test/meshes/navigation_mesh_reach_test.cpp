@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "navigation/navigation_mesh.h"
+#include "meshes/navigation_mesh.h"
 #include "social_crowd/errors.h"
 #include "support/error_of.h"
 #include "support/floors.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "navigation/mesh_data.h"
+#include "meshes/mesh_data.h"
 
 namespace crowd {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "navigation/mesh_data.h"
-#include "navigation/mesh_ray.h"
-#include "navigation/path_search.h"
+#include "meshes/mesh_data.h"
+#include "meshes/mesh_ray.h"
+#include "meshes/path_search.h"
 
 namespace crowd {
 

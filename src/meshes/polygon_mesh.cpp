@@ -1,4 +1,4 @@
-#include "navigation/polygon_mesh.h"
+#include "meshes/polygon_mesh.h"
 
 #include <recastnavigation/DetourNavMesh.h>
 #include <recastnavigation/RecastAlloc.h>
@@ -7,7 +7,7 @@
 #include <new>
 #include <vector>
 
-#include "navigation/region_outline.h"
+#include "meshes/region_outline.h"
 
 namespace crowd {
 namespace {

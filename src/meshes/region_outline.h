@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "navigation/floor_regions.h"
+#include "meshes/floor_regions.h"
 
 namespace crowd {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "navigation/floor_raster.h"
+#include "meshes/floor_raster.h"
 
 namespace crowd {
 

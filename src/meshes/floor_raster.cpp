@@ -1,4 +1,4 @@
-#include "navigation/floor_raster.h"
+#include "meshes/floor_raster.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "navigation/region_outline.h"
+#include "meshes/region_outline.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "navigation/polygon_grid.h"
+#include "meshes/polygon_grid.h"
 
 #include <Eigen/Geometry>
 
