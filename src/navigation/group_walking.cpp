@@ -11,17 +11,14 @@ constexpr double ROW_DISTANCE = 1.0;    // between rows [m]
 constexpr double AREA_RADIUS = 3.0;     // of the disc ahead in which the density is measured [m]
 constexpr double BENT_DENSITY = 0.25;   // at which a V is bent fully [1/m2]
 constexpr double FULL_BEND = 0.6;       // its angle [rad]
-constexpr double PAIR_DENSITY = 0.4;    // from which at most two walk abreast [1/m2]
 constexpr double ALONE_DENSITY = 0.6;   // from which each walks its own way at its own speed [1/m2]
 constexpr double ONCOMING_SPEED = 0.3;  // [m/s]
-constexpr double ROW_HOLD = 0.4;        // lead by which a member leaves its row for the one ahead [m]
 constexpr double CATCH_UP = 0.6;        // speed gained for each metre behind its place [1/s]
 constexpr double LEAST_PACE = 0.2;      // of the speed of the group, of those who wait where others can pass
 constexpr double MOST_PACE = 1.15;      // of the agent's own speed
 constexpr double WIDE_CLEARANCE = 0.9;  // of places that are not narrow [m]
 constexpr double FARTHEST_GOAL = 6.0;   // of a member from that of another one [m]
 constexpr double LONGEST_SHIFT = 1.0;   // [m]
-constexpr double LEAST_SHIFT = 0.05;    // [m]
 
 /// The speed that an agent would have without its mates [m/s].
 double speedAlone(const Agent& agent) { return agent.wanted_speed / agent.paceOf(Pace::GROUP); }
@@ -83,7 +80,7 @@ std::size_t goalsLeft(const Agent& agent) { return agent.goals.size() - agent.ne
 /// next goal of the group, so that they are compared round corners, too.
 /// @param forward is set to the direction of the group, zero if it has none
 std::vector<GroupWalking::Walker> GroupWalking::walkersOf(const Group& group, const World& world, const Paths& paths,
-                                                          Vector2& forward) const {
+                                                          Vector2& forward) {
   std::size_t goals_left = 0;
   for (const AgentId id : group.members) goals_left = std::max(goals_left, goalsLeft(world.agents()[id]));
   std::vector<Walker> walkers;
@@ -102,7 +99,6 @@ std::vector<GroupWalking::Walker> GroupWalking::walkersOf(const Group& group, co
     const bool has_passed = walker.goal && goalsLeft(agent) < goals_left;
     const double length = has_passed ? -(*walker.goal - place).norm() : lengthOf({way.data(), way.size()}, place);
     walker.ahead = -length;
-    walker.row = members_[id].row;
     const Vector2 offset = pointAlong({way.data(), way.size()}, place, LOOKAHEAD) - place;
     if (offset != Vector2::Zero()) forward += offset.normalized();
     centre += place;
@@ -146,10 +142,9 @@ GroupWalking::Traffic GroupWalking::trafficAhead(const std::vector<Walker>& walk
 
 /// How many walk abreast. Those who come towards the group get one half of the floor.
 std::size_t GroupWalking::columnsFor(const std::vector<Walker>& walkers, double spacing, const Vector2& forward,
-                                     const Traffic& traffic, const FloorRuler* floor) const {
+                                     const Traffic& traffic, const FloorRuler* floor) {
   std::size_t columns = std::min(walkers.size(), MOST_ABREAST);
   if (walkers.size() > MOST_ABREAST) columns = MOST_ABREAST - 1;
-  if (traffic.density > PAIR_DENSITY) columns = std::min<std::size_t>(columns, 2);
   if (floor == nullptr) return columns;
   const double most = 2.0 * static_cast<double>(columns) * spacing;
   for (const Walker& walker : walkers) {
@@ -165,8 +160,7 @@ std::size_t GroupWalking::columnsFor(const std::vector<Walker>& walkers, double 
 /// Gives each walker a place: rows from front to back in the order in which they are, and in each row from right to
 /// left in the order in which they are, so that nobody crosses the way of a mate.
 void GroupWalking::arrange(std::vector<Walker>& walkers, std::size_t columns, double spacing, double bend) {
-  const auto lead = [](const Walker& walker) { return walker.ahead - ROW_HOLD * static_cast<double>(walker.row); };
-  std::stable_sort(walkers.begin(), walkers.end(), [&](const auto& a, const auto& b) { return lead(a) > lead(b); });
+  std::stable_sort(walkers.begin(), walkers.end(), [](const auto& a, const auto& b) { return a.ahead > b.ahead; });
   Vector2 mean = Vector2::Zero();
   for (std::size_t first = 0, row = 0; first < walkers.size(); first += columns, ++row) {
     const auto begin = walkers.begin() + static_cast<std::ptrdiff_t>(first);
@@ -175,7 +169,6 @@ void GroupWalking::arrange(std::vector<Walker>& walkers, std::size_t columns, do
     const double middle = 0.5 * static_cast<double>(end - begin - 1);
     for (auto walker = begin; walker != end; ++walker) {
       const double column = static_cast<double>(walker - begin) - middle;
-      walker->row = row;
       walker->place = {spacing * std::sin(bend) * std::abs(column) - ROW_DISTANCE * static_cast<double>(row),
                        spacing * std::cos(bend) * column};
       mean += walker->place / static_cast<double>(walkers.size());
@@ -196,7 +189,6 @@ void GroupWalking::assign(const std::vector<Walker>& walkers, World& world, cons
     const double wanted = speed + CATCH_UP * (walker.place.x() - walker.ahead);
     world.walkingAgent(walker.agent->id).setPace(Pace::GROUP, std::min(MOST_PACE, std::max(least, wanted) / own_speed));
     Member& member = members_[walker.agent->id];
-    member.row = walker.row;
     member.shift = std::clamp(walker.place.y() - walker.left, -LONGEST_SHIFT, LONGEST_SHIFT);
     member.aim.reset();
   }
@@ -205,7 +197,7 @@ void GroupWalking::assign(const std::vector<Walker>& walkers, World& world, cons
 std::optional<Vector2> GroupWalking::aimOf(const Agent& agent, const Vector2& next) {
   if (agent.group == NO_GROUP) return std::nullopt;
   Member* const member = members_.find(agent.id);
-  if (member == nullptr || std::abs(member->shift) < LEAST_SHIFT) return std::nullopt;
+  if (member == nullptr || member->shift == 0.0) return std::nullopt;
   if (member->aim && member->next == next) return member->aim;
   const Vector2 offset = next - agent.pose.position;
   const double distance = offset.norm();

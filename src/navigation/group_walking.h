@@ -41,15 +41,13 @@ class GroupWalking {
   /// A member that walks, as of the decision.
   struct Walker {
     const Agent* agent = nullptr;
-    double ahead = 0.0;           // of the mean of the group, along the way [m]
-    double left = 0.0;            // of the mean of the group, across the direction of the group [m]
-    std::optional<Vector2> goal;  // the next one of the group [m], `map`
-    std::size_t row = 0;
+    double ahead = 0.0;               // of the mean of the group, along the way [m]
+    double left = 0.0;                // of the mean of the group, across the direction of the group [m]
+    std::optional<Vector2> goal;      // the next one of the group [m], `map`
     Vector2 place = Vector2::Zero();  // that it should have: ahead and to the left of the mean [m]
   };
   /// What is kept of a member until the next decision.
   struct Member {
-    std::size_t row = 0;
     double shift = 0.0;  // to the left of its way [m]
     Vector2 next = Vector2::Zero();
     std::optional<Vector2> aim;  // for `next`
@@ -62,7 +60,7 @@ class GroupWalking {
 
   void collect(const World& world);
   void decide(const Group& group, World& world, const Paths& paths, const FloorRuler* floor);
-  std::vector<Walker> walkersOf(const Group& group, const World& world, const Paths& paths, Vector2& forward) const;
+  static std::vector<Walker> walkersOf(const Group& group, const World& world, const Paths& paths, Vector2& forward);
   /// Who is ahead of a group.
   struct Traffic {
     double density = 0.0;      // [1/m2]
@@ -70,8 +68,8 @@ class GroupWalking {
   };
   static bool haveParted(const std::vector<Walker>& walkers);
   static Traffic trafficAhead(const std::vector<Walker>& walkers, const Vector2& forward, const World& world);
-  std::size_t columnsFor(const std::vector<Walker>& walkers, double spacing, const Vector2& forward,
-                         const Traffic& traffic, const FloorRuler* floor) const;
+  static std::size_t columnsFor(const std::vector<Walker>& walkers, double spacing, const Vector2& forward,
+                                const Traffic& traffic, const FloorRuler* floor);
   static void arrange(std::vector<Walker>& walkers, std::size_t columns, double spacing, double bend);
   void assign(const std::vector<Walker>& walkers, World& world, const FloorRuler* floor);
 
