@@ -6,8 +6,9 @@
 namespace crowd {
 namespace {
 
-constexpr double SAME = 0.3;   // cosine of the angle up to which the directions of two ways are the same
-constexpr double REACH = 0.1;  // claims farther apart than the floor is wide, and this, are not in each other's way [m]
+constexpr double SAME = 0.3;  // cosine of the angle up to which the directions of two ways are the same
+constexpr double CLAIM_MARGIN =
+    0.1;  // claims farther apart than the floor is wide, and this, are not in each other's way [m]
 constexpr double WALKING_SHARE = 0.1;   // of the maximum speed, above which an agent gets on
 constexpr double ASIDE_GAP = 0.15;      // an agent that waits steps aside if another one passes nearer than this [m],
 constexpr double ASIDE_LEAVE = 0.3;     // and until none passes nearer than this [m]
@@ -82,7 +83,7 @@ TurnTaking::Traffic TurnTaking::trafficOf(const World& world, const Claimant& cl
 
 void TurnTaking::addTraffic(const World& world, const Claimant& claimant, const Claim& claim, Traffic& traffic) {
   const Agent& agent = world.agents()[claimant.agent];
-  for (const Claim* other : claims_.near(claim.place, std::max(2.0 * WayClaims::STEP, claim.width + REACH))) {
+  for (const Claim* other : claims_.near(claim.place, std::max(2.0 * WayClaims::STEP, claim.width + CLAIM_MARGIN))) {
     const Claimant& its = claims_.claimants()[other->claimant];
     if (&its == &claimant) continue;
     const double cosine = other->direction.dot(claim.direction);
