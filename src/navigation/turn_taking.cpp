@@ -6,9 +6,8 @@
 namespace crowd {
 namespace {
 
-constexpr double SAME = 0.3;  // cosine of the angle up to which the directions of two ways are the same
-constexpr double CLAIM_MARGIN =
-    0.1;  // claims farther apart than the floor is wide, and this, are not in each other's way [m]
+constexpr double SAME = 0.3;            // cosine of the angle up to which the directions of two ways are the same
+constexpr double CLAIM_MARGIN = 0.1;    // beyond the width of the floor, up to which claims are in each other's way [m]
 constexpr double WALKING_SHARE = 0.1;   // of the maximum speed, above which an agent gets on
 constexpr double ASIDE_GAP = 0.15;      // an agent that waits steps aside if another one passes nearer than this [m],
 constexpr double ASIDE_LEAVE = 0.3;     // and until none passes nearer than this [m]
