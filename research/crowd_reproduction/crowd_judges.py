@@ -4,13 +4,13 @@ import numpy
 from crowd_experiments.records import Spread, percent
 
 from .claim import (CONFIRMED, GOOD, Judgement, NOT_CONFIRMED, PARTLY, RARE, compared, decide, decide_all, decide_each,
-                    decide_greater, good_and_rare, graded, is_good, joined, versus)
+                    decide_greater, difference_text, good_and_rare, graded, is_good, joined, number_text, versus)
 from .crowds import (CROWDED, DUMMIES, EXACT, GROUPING, OBSTACLE_RADIUS, SCENARIOS, SOON, WATCHED, agents, best_of,
                      by_visits, companions, groups_of, last_metre, outcome_sentence, phases, rates, record_file,
                      surrounded)
 from .experiments import future_work, learning_curves, sharing
 from .measures import COLLISION_RADIUS, CONTACT_OVERLAP, RADIUS, share
-from .results import PARAMETER_NAMES, RATES, SETS, obstacle_places, per_seed, rates_sentence
+from .results import PARAMETER_NAMES, RATES, SETS, THESIS, obstacle_places, per_seed, rates_sentence
 
 PASSED, ARRIVING = 2, 3  # of TIMES
 STARTS = numpy.array([3.25, 1.95, 0.65, -0.65, -1.95, -3.25])  # of line6 [m]
@@ -30,13 +30,13 @@ def filling_was_needed(setting):
 
 
 def dummies(setting):
-    texts, verdicts = [], []
+    texts, whole = [], []
     for parameters, scenario in DUMMIES:
         runs = agents(setting, parameters)
         texts.append(f'{scenario}, {PARAMETER_NAMES[parameters]}: {rates_sentence(rates(runs, scenario))}')
-        if parameters == 'thesis':
-            verdicts.append(graded(runs.whole(record_file(scenario), scenario, 'touched')))
-    return Judgement('; '.join(texts), decide_all(*verdicts))
+        if parameters == THESIS:
+            whole.append(runs.whole(record_file(scenario), scenario, 'touched'))
+    return Judgement('; '.join(texts), decide_all(*map(graded, whole)), f'arrives {number_text(whole[0])}')
 
 
 def without_incidents(setting, scenario):
@@ -44,7 +44,8 @@ def without_incidents(setting, scenario):
     shares = [agents(setting).whole('demo.csv', scenario, incident) for incident in ('touched', 'collided')]
     contact, collision = (Spread(values).text(1) for values in shares)
     return Judgement(f'{rates_text(setting, scenario)}; all agents arrive without a contact in {contact} % of the '
-                     f'episodes, without a collision in {collision} %', decide_all(*map(graded, shares)))
+                     f'episodes, without a collision in {collision} %', decide_all(*map(graded, shares)),
+                     f'without a collision {number_text(shares[1])}')
 
 
 def deviations(rows):
@@ -61,7 +62,8 @@ def deviated(setting):
     arrivals = Spread.of_numbers(arriving)
     return Judgement(f'{rates_text(setting, "line6")}; the path of an agent is at least twice the straight-line '
                      f'distance in {Spread(found).text(1)} % of the episodes; this agent arrives in '
-                     f'{arrivals.text(1)} % of these', decide(is_good(arrivals.mean), map(is_good, arrivals.values)))
+                     f'{arrivals.text(1)} % of these', decide(is_good(arrivals.mean), map(is_good, arrivals.values)),
+                     f'arrives {number_text(arriving)}')
 
 
 def avoids_moving_obstacle(setting):
@@ -77,7 +79,8 @@ def avoids_moving_obstacle(setting):
                       for scenario in ('line6', 'line6_mover'))
     return Judgement(f'{rates_text(setting, "line6_mover")}; {Spread(touching).text(1)} % of the agents have a contact '
                      f'with the moving obstacle, {Spread(colliding).text(1)} % a collision; path ratio {ratio:.2f} '
-                     f'with and {without:.2f} without it', good_and_rare(rare=[touching, colliding]))
+                     f'with and {without:.2f} without it', good_and_rare(rare=[touching, colliding]),
+                     f'contact with it {number_text(touching)}')
 
 
 def remain_closer(setting):
@@ -88,7 +91,8 @@ def remain_closer(setting):
     nearer = compared('', 'line6', apart, 'same_goal6', together)
     found = rates(runs, 'same_goal6')
     return Judgement(f'{rates_text(setting, "same_goal6")}; distance to the nearest companion [m]: {nearer.measured}',
-                     decide_all(good_and_rare([found.success], [found.contact, found.collision]), nearer.verdict))
+                     decide_all(good_and_rare([found.success], [found.contact, found.collision]), nearer.verdict),
+                     f'[m] {nearer.number}')
 
 
 def grouping(setting):
@@ -111,16 +115,17 @@ def grouped_again(setting):
                              'at the first arrival', found[:, ARRIVING, 0]) for name, found in values.items()], '; ')
     free = values['nearest companion'][:, ARRIVING, 1]
     return Judgement(f'{whole.measured}; nearest companion at the first arrival, without the obstacle '
-                     f'{Spread(free).text()}', whole.verdict)
+                     f'{Spread(free).text()}', whole.verdict, f'[m] {whole.number}')
 
 
 def twelve_like_six(setting):
     runs = agents(setting)
     six, twelve = (rates(runs, scenario) for scenario in ('circle6', 'circle12'))
-    best = f"{PARAMETER_NAMES['thesis']}: {outcome_sentence(runs, 'circle12', *best_of(runs, 'circle12'))}"
+    best = f"{PARAMETER_NAMES[THESIS]}: {outcome_sentence(runs, 'circle12', *best_of(runs, 'circle12'))}"
     return Judgement(f'six: {rates_sentence(six)}; twelve: {rates_sentence(twelve)} (similar: within {RARE:g} points); '
                      f'the best recorded episode of twelve, {best}',
-                     good_and_rare(rare=[(six - twelve)[rate].abs() for rate in ('success', 'contact')]))
+                     good_and_rare(rare=[(six - twelve)[rate].abs() for rate in ('success', 'contact')]),
+                     f'contact % {difference_text("twelve", twelve.contact, "six", six.contact, 1)}')
 
 
 def longer_than_six(setting):
@@ -138,7 +143,7 @@ def varied_speeds(setting):
     whole = joined(parts, '; ')
     exact, together = (Spread(rates(runs, scenario).contact).text(1) for scenario in EXACT)
     return Judgement(f'{whole.measured}; contact of twelve agents that start exactly on the circle {exact} %, if they '
-                     f'also move simultaneously {together} %', whole.verdict)
+                     f'also move simultaneously {together} %', whole.verdict, f'contact % {whole.number}')
 
 
 def surrounded_touch(setting):
@@ -151,7 +156,8 @@ def surrounded_touch(setting):
     return Judgement(f'contact within {SOON} decisions %: '
                      f'{versus("surrounded", inside, "not surrounded", outside, 1)}; of the agents that were ever '
                      f'surrounded, {share_of_agents.text(1)} % then have a contact',
-                     decide_all(decide_greater(inside, outside), decide_each(inside, is_good)))
+                     decide_all(decide_greater(inside, outside), decide_each(inside, is_good)),
+                     f'contact {number_text(inside)}')
 
 
 def experience_serves(setting):
@@ -165,7 +171,8 @@ def experience_serves(setting):
     return Judgement('success / contact / collision % in scenarios that were not used in training (means of '
                      f'{len(found)} seeds): {", ".join(texts)}; success at least {GOOD:g} and contact at most {RARE:g} '
                      f'in {fine} of {len(verdicts)}',
-                     CONFIRMED if fine == len(verdicts) else PARTLY if fine else NOT_CONFIRMED)
+                     CONFIRMED if fine == len(verdicts) else PARTLY if fine else NOT_CONFIRMED,
+                     f'in {fine} of {len(verdicts)} scenarios, {len(found)} seeds')
 
 
 def shared(setting, use, place, measure='contact'):
@@ -178,14 +185,16 @@ def pioneer_serves(setting):
     untrained = shared(setting, 'fixed', 0)
     return Judgement(f'twelve agents: success {Spread(success).text(1)} %; contact {Spread(contact).text(1)} %, after '
                      f'only the first part of the training {Spread(untrained).text(1)} %',
-                     decide_all(decide_each(success, is_good), decide_greater(untrained, contact)))
+                     decide_all(decide_each(success, is_good), decide_greater(untrained, contact)),
+                     f'success {number_text(success)}')
 
 
 def crowd_learns_on(setting):
     fixed, shared_on, own = (shared(setting, use, -1) for use in ('fixed', 'shared', 'own'))
     return Judgement(f'contact of twelve agents: {Spread(fixed).text(1)} % with the unchanged table, '
                      f'{Spread(shared_on).text(1)} % if all continue learning in one table, {Spread(own).text(1)} % in '
-                     'own tables', decide_all(decide_greater(fixed, shared_on), decide_greater(fixed, own)))
+                     'own tables', decide_all(decide_greater(fixed, shared_on), decide_greater(fixed, own)),
+                     f'contact % {difference_text("unchanged", fixed, "continue", shared_on, 1)}')
 
 
 def incomplete_table(setting):
@@ -201,27 +210,29 @@ def incomplete_table(setting):
 
 
 def more_training(setting):
-    curve = learning_curves.Curve(setting, 'occupancy', 'thesis')
+    curve = learning_curves.Curve(setting, 'occupancy', THESIS)
     parts = []
     for scenario, of_episodes in curve.rates.items():
         for measure, first, last in zip(RATES, of_episodes[1].T, of_episodes[-1].T):
             parts.append(Judgement(
                 f'{scenario}, {measure} %: after {curve.episodes[1]:,} episodes {Spread(first).text(1)}, after '
                 f'{curve.episodes[-1]:,} {Spread(last).text(1)}',
-                decide_greater(last, first) if measure == 'success' else decide_greater(first, last)))
+                decide_greater(last, first) if measure == 'success' else decide_greater(first, last),
+                f'{scenario}, {measure} % {difference_text("later", last, "before", first, 1)}'))
     return joined(parts, '; ')
 
 
 def more_states(setting):
     first, second = (100.0 * curve.rows[-1] / curve.all_rows for curve in
-                     (learning_curves.Curve(setting, states, 'thesis') for states in SETS))
+                     (learning_curves.Curve(setting, states, THESIS) for states in SETS))
     return compared('rows visited after all training, % of all rows: ', 'set 1', first, 'set 2', second, 1)
 
 
 def any_number(setting):
     six, twelve = (rates(agents(setting), scenario) for scenario in ('circle6', 'circle12'))
     return Judgement(f'one table, six: {rates_sentence(six)}; twelve: {rates_sentence(twelve)}',
-                     good_and_rare([six.success, twelve.success], [six.contact, twelve.contact]))
+                     good_and_rare([six.success, twelve.success], [six.contact, twelve.contact]),
+                     f'contact of twelve {number_text(twelve.contact)}')
 
 
 def staying_pays(setting):
@@ -229,7 +240,8 @@ def staying_pays(setting):
                            for variation in ('thesis', 'stay', 'stay_5'))
     return Judgement(f'success of twelve agents at varied speeds %: {Spread(without).text(1)} without the action, '
                      f'{Spread(free).text(1)} with the action at no cost, {Spread(dear).text(1)} at a cost of 5',
-                     decide_all(decide_greater(without, free), decide_greater(dear, free)))
+                     decide_all(decide_greater(without, free), decide_greater(dear, free)),
+                     f'success at no cost {number_text(free)}')
 
 
 def staying_helps(setting):
@@ -239,4 +251,5 @@ def staying_helps(setting):
     verdicts = [decide_greater(without, one.contact) for one in found.values() if is_good(one.success.mean())]
     texts = [f'{name} {Spread(one.contact).text(1)}' for name, one in found.items()]
     return Judgement(f'contact of twelve agents at varied speeds %: {Spread(without).text(1)} without the action; '
-                     f'{", ".join(texts)}; judged by the costs at which {GOOD:g} % arrive', decide_all(*verdicts))
+                     f'{", ".join(texts)}; judged by the costs at which {GOOD:g} % arrive', decide_all(*verdicts),
+                     f'contact % {difference_text("without", without, "at a cost of 5", found["cost 5"].contact, 1)}')

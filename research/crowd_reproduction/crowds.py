@@ -7,7 +7,7 @@ from crowd_experiments import style
 from crowd_studies.scene_figures import draw_moment, draw_scene, frame_alike, last_tick_of
 
 from . import measures
-from .results import PARAMETERS, PARAMETER_NAMES, Runs, episodes_of, means_sentence, obstacle_places
+from .results import BETTER, DRAWN, PARAMETER_NAMES, THESIS, Runs, episodes_of, means_sentence, obstacle_places
 
 SCENARIOS = {
     'dummies': 'a field of static dummies', 'circle6': 'six agents on a circle, each walks to the opposite point',
@@ -31,7 +31,7 @@ CROWDED = 3  # sectors
 MOMENTS = (0.15, 0.4, 0.65, 1.0)  # fractions of the time until the last arrival
 NUMBERS = {'circle6': '4_18', 'circle6_obstacle': '4_19', 'line6': '4_20', 'line6_mover': '4_21', 'same_goal6': '4_22',
            'same_goal6_mover': '4_23'}
-DUMMIES = (('thesis', 'dummies'), ('thesis', 'dummies_wide'), ('better', 'dummies'))  # the rows of figure 4.17
+DUMMIES = ((THESIS, 'dummies'), (THESIS, 'dummies_wide'), (BETTER, 'dummies'))  # the rows of figure 4.17
 DUMMY_COLOUR = '#d63ad6'  # magenta in the thesis
 PATH_COLOUR = '#d62728'
 SURROUNDED_COLOUR = '#ff7f0e'  # orange in the thesis
@@ -39,7 +39,7 @@ CURVES = ((FREE, '#0072b2', 'six to one goal'), (CROSSED, '#d55e00', 'the same w
           (APART, '0.55', 'for comparison: goals apart (line6)'))
 
 
-def agents(setting, parameters='thesis', states='occupancy'):
+def agents(setting, parameters=THESIS, states='occupancy'):
     """Returns the runs of agents that learned alone. Figures 4.17-4.25 show those with state set 2."""
     return Runs.of(setting, 'agents', states=states, parameters=parameters)
 
@@ -170,7 +170,7 @@ def add_rows(chapter, setting, scenario, file, text, choose, sentence, **values)
     episode, and moments and a marked agent if there are some; `sentence` a text about it."""
     figure, axes = style.new_figure(2, len(MOMENTS), 13, 6.9)
     pictures, texts = [], []
-    for line, parameters in zip(axes, PARAMETERS):
+    for line, parameters in zip(axes, DRAWN):
         runs = agents(setting, parameters)
         chosen = choose(runs, scenario)
         pictures += draw_row(line, runs, scenario, chosen[0], PARAMETER_NAMES[parameters], *chosen[1:])
@@ -234,8 +234,8 @@ def add_groups(chapter, setting):
     """Adds the figure of mean distances to the nearest companion, with and without a moving obstacle; its passage is
     shaded from the median of the begins to that of the ends."""
     obstacle = obstacle_places(setting, 'same_goal6_mover', 2001)
-    figure, axes = style.new_figure(1, len(PARAMETERS), 11, 4, sharey=True)
-    for panel, parameters in zip(axes[0], PARAMETERS):
+    figure, axes = style.new_figure(1, len(DRAWN), 11, 4, sharey=True)
+    for panel, parameters in zip(axes[0], DRAWN):
         runs = agents(setting, parameters)
         for scenario, colour, label in CURVES:
             curves = [companions(places) for seed in runs.seeds() for places in groups_of(runs, seed, scenario)]

@@ -2,11 +2,12 @@
 from crowd_studies.program import Experiment, Program
 
 from . import claims
-from .experiments import (ambiguity, future_work, learning_curves, reward_evaluation, scenarios, sensitivity, sharing)
+from .experiments import (ambiguity, crowd_sensitivity, future_work, learning_curves, reward_evaluation, scenarios,
+                          sensitivity, sharing)
 from .results import TEXTS, plan
 
 REPORTS = {  # of the experiments, in the order of the thesis
-    'reward_evaluation': reward_evaluation.report, 'sensitivity': sensitivity.report, 'ambiguity': ambiguity.report,
+    'reward_evaluation': reward_evaluation.report, 'sensitivity': sensitivity.report, 'crowd_sensitivity': crowd_sensitivity.report, 'ambiguity': ambiguity.report,
     'scenarios': scenarios.report, 'sharing': sharing.report, 'learning_curves': learning_curves.report,
     'future_work': future_work.report, 'claims': claims.report}
 main = Program(

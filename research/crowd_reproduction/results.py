@@ -5,6 +5,7 @@ import functools
 import itertools
 import pathlib
 import re
+from types import MappingProxyType
 
 import numpy
 import pandas
@@ -16,20 +17,30 @@ from crowd_experiments.variations import EVERY, Setting, read_documents, vary_co
 from crowd_studies.program import Report, read_texts
 
 DECLARED = yaml.safe_load(pathlib.Path(__file__).with_name('runs.yaml').read_text(encoding='utf-8'))
-GROUPS, LISTS, NEEDS = (DECLARED[key] for key in ('groups', 'lists', 'needs'))
+GROUPS, LISTS, NEEDS, READINGS = (DECLARED[key] for key in ('groups', 'lists', 'needs', 'readings'))
+LEAD = next(iter(READINGS))  # the reading of the thesis that leads
+THESIS, BETTER = 'thesis', 'better'  # parameters: `thesis` stands for those of the reading of a setting
+EPSILON = 0.1  # of the thesis's parameters, where no reading changes it
 DEMO_SEED = 1000  # is added to the seed of the training, so that the places differ from those of the training
 RATES = {'success': 'arrived', 'collision': 'collided', 'contact': 'touched'}  # in the order of all texts
-PARAMETERS, SETS, REWARDS = ('thesis', 'better'), ('nearest', 'occupancy'), ('distance_gained', 'cosine_cubed')
+SETS, REWARDS = ('nearest', 'occupancy'), ('distance_gained', 'cosine_cubed')
+PARAMETERS = {states: [*(name for name, reading in READINGS.items() if reading.get('sets', states) == states), BETTER]
+              for states in SETS}  # all readings that differ with a state set, and better parameters
+DRAWN = (THESIS, BETTER)  # parameters of figures
 DECISIONS = ['instance', 'tick', 'agent', 'x', 'y', 'heading', 'row', 'action', 'occupied']  # columns of a file
 TEXTS = read_texts(__file__)
 REWARD_COLOURS = {'distance_gained': '#0072b2', 'cosine_cubed': '#d55e00'}
 REWARD_NAMES = {'distance_gained': 'distance gained', 'cosine_cubed': 'cos³'}
-PARAMETER_NAMES = {'thesis': "thesis's parameters", 'better': 'better parameters'}
+PARAMETER_NAMES = {THESIS: "thesis's parameters", BETTER: 'better parameters',
+                   **{name: f"thesis's parameters, {reading['label']}" for name, reading in READINGS.items()}}
 RATE_HEADER = [f'{rate} %' for rate in RATES]
 
 
 def value_text(value):
-    """15, 45, 90, 180"""
+    """15, 45, 90, 180; 0.3 to 0.01, exponential"""
+    if isinstance(value, dict):
+        within = f" within {value['episodes']} episodes" if 'episodes' in value else ''
+        return f"{value['from']} to {value['to']}, {value['shape']}{within}"
     return ', '.join(map(str, value)) if isinstance(value, list) else str(value)
 
 
@@ -40,14 +51,20 @@ def variation_of(choice, value):
         **{file: {choice[file]: value} for file in ('config', 'scenario') if file in choice}}
 
 
-CHOICES = {'thesis_configuration': {'label': 'thesis configuration'},
-           **dict(variation_of(choice, value) for choice in DECLARED['choices'] for value in choice['others'])}
-VARIATIONS = {**DECLARED['variations'], **CHOICES}
+def choices_in(key):
+    """Returns the variations of choices by their names, that without a change first."""
+    return {'thesis_configuration': {'label': 'thesis configuration'},
+            **dict(variation_of(choice, value) for choice in DECLARED[key] for value in choice['others'])}
 
 
-def choices_of(setting):
+CHOICES, CROWD_CHOICES = map(choices_in, ('choices', 'crowd_choices'))
+VARIATIONS = {**DECLARED['variations'], **CHOICES, **CROWD_CHOICES}
+LISTED = {'all': [*READINGS, BETTER], 'readings': list(READINGS)}  # values of keys of runs, by their names
+
+
+def choices_of(setting, choices=MappingProxyType(CHOICES)):
     """Returns the names of the variations of choices that are tried, that without a change first."""
-    return list(CHOICES)[:3] if setting.quick else list(CHOICES)
+    return list(choices)[:3] if setting.quick else list(choices)
 
 
 def chosen(setting, choice):
@@ -62,26 +79,57 @@ def chosen(setting, choice):
 def scenario_file(setting, name, variation=None):
     """Returns the file of a scenario, which is written if it is not shipped as it is."""
     made = DECLARED['scenarios'].get(name)
-    if made:
-        return vary_scenario(setting, made['of'], made['keys'], name)
     keys = VARIATIONS.get(variation, {}).get('scenario')
-    return vary_scenario(setting, name, keys, f'{name}_{variation}') if keys else setting.scenario(name)
+    base = vary_scenario(setting, made['of'], made['keys'], name) if made else setting.scenario(name)
+    if keys and all(EVERY not in key or key.split('.')[0] in read_documents(base)[0] for key in keys):
+        return vary_scenario(setting, base, keys, f'{name}_{variation}')
+    return base
 
 
-def config_file(setting, name, variation):
-    changes = VARIATIONS.get(variation, {})
-    scenarios = [scenario_file(setting, 'single_obstacle', variation)] if 'scenario' in changes else None
-    if 'config' in changes or scenarios:
-        return vary_config(setting, name, changes.get('config', {}), f'{name}_{variation}', scenarios)
-    return setting.experiments / f'{name}.yaml'
+@dataclasses.dataclass(frozen=True)
+class Reading(Setting):
+    """A setting in which `thesis` stands for another reading of the thesis's parameters."""
+    reading: str = LEAD
+
+    @classmethod
+    def of(cls, setting, reading):
+        return cls(**{**vars(setting), 'reading': reading})
+
+
+def parameters_of(setting, keys):
+    """Returns the parameters of runs: a reading, or better parameters. With state set 1, the sectors of set 2 do not
+    differ."""
+    name = keys.get('parameters', THESIS)
+    if name == THESIS:
+        name = getattr(setting, 'reading', LEAD)
+    states = keys.get('states', SETS[0] if 'reward' in keys else SETS[1])
+    return name if name in PARAMETERS[states] else READINGS[name]['otherwise']
+
+
+def config_file(setting, name, keys):
+    """Returns the training configuration of a run, which is written if it is not NAME_thesis or NAME_better. An epsilon
+    of its own, other than that of the first training, is not changed by a reading."""
+    parameters, variation = parameters_of(setting, keys), VARIATIONS.get(keys.get('variation'), {})
+    base = setting.experiments / f'{name}_{BETTER if parameters == BETTER else THESIS}.yaml'
+    config = read_documents(base)[0]
+    changes = {**READINGS.get(parameters, {}).get('config', {}), **variation.get('config', {})}
+    if config['learning']['epsilon'] != EPSILON:
+        changes.pop('learning.epsilon', None)
+    elif isinstance(changes.get('learning.epsilon'), dict):
+        changes['learning.epsilon'] = {'episodes': config['training']['episodes'], **changes['learning.epsilon']}
+    scenarios = [scenario_file(setting, pathlib.Path(file).stem, keys.get('variation'))
+                 for file in config['training']['scenarios']] if 'scenario' in variation else None
+    if not changes and not scenarios:
+        return base
+    return vary_config(setting, base, changes, '_'.join([name, parameters, *filter(None, [keys.get('variation')])]),
+                       scenarios)
 
 
 def words_of(setting, word, keys):
-    variation = keys.get('variation')
     if word.startswith('@'):
-        return [config_file(setting, word[1:], variation)]
+        return [config_file(setting, word[1:], keys)]
     if word.startswith('~'):
-        return [scenario_file(setting, name, variation) for name in LISTS.get(word[1:], [word[1:]])]
+        return [scenario_file(setting, name, keys.get('variation')) for name in LISTS.get(word[1:], [word[1:]])]
     full, bar, quick = word.partition('|')
     return [setting.count(full, quick) if bar else word]
 
@@ -102,6 +150,7 @@ def combinations(setting, each):
     """Yields all combinations of values by their keys. '0 10 100|0 5' stands for 0, 10 and 100, with --quick for 0 and
     5; another list is taken as it is."""
     values = [choices_of(setting) if listed == 'choices' else
+              choices_of(setting, CROWD_CHOICES) if listed == 'crowd_choices' else LISTED[listed] if listed in LISTED else
               list(map(int, setting.count(*listed.split('|')).split())) if isinstance(listed, str) else listed
               for listed in each.values()]
     return (dict(zip(each, chosen_ones)) for chosen_ones in itertools.product(*values))
@@ -117,6 +166,8 @@ def plan(experiment):
 def runs_of(setting, group):
     declared = GROUPS[group]
     for keys in combinations(setting, {'seed': setting.seeds(declared['seeds']), **declared['each']}):
+        if 'parameters' in keys and parameters_of(setting, keys) != keys['parameters']:
+            continue
         yield Run(Runs.of(setting, group, **keys).folder(keys['seed']), [
             command for line in declared['commands'] for command in commands_of(setting, line, keys)], declared['cost'])
 
@@ -130,7 +181,11 @@ class Runs:
 
     @classmethod
     def of(cls, setting, group, **keys):
-        """Returns the runs with these keys; the seed is ignored."""
+        """Returns the runs with these keys; the seed is ignored. By default, or with `thesis`, the parameters are those
+        of the setting's reading."""
+        if 'parameters' in GROUPS[group]['each']:
+            keys['parameters'] = parameters_of(setting, keys)
+        setting = Setting(*(getattr(setting, field.name) for field in dataclasses.fields(Setting)))  # one cache for all
         return cls(setting, group, tuple(sorted((key, value) for key, value in keys.items() if key != 'seed')))
 
     def seeds(self):

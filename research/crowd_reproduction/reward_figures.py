@@ -8,7 +8,7 @@ from crowd_experiments.variations import heading_of, read_documents
 from crowd_studies.scene_figures import frame_alike
 from matplotlib.ticker import ScalarFormatter
 
-from .results import PARAMETERS, PARAMETER_NAMES, REWARDS, REWARD_COLOURS, REWARD_NAMES
+from .results import BETTER, DRAWN, PARAMETER_NAMES, REWARDS, REWARD_COLOURS, REWARD_NAMES
 from .reward_measures import (MODES, SPEED, THESIS_SUCCESS, collision, gain_per_step, learned, of_mode, path_per_gain,
                               success)
 
@@ -25,7 +25,7 @@ FIRST_RATIO, FIRST_RATE = {'training': 2, 'demo': 6, 'free': 11}, {'training': 4
 def add_figures(chapter, setting):
     """Adds all figures, each with the thesis's parameters and with better parameters."""
     add_setting(chapter, setting)
-    for parameters in PARAMETERS:
+    for parameters in DRAWN:
         for mode in MODES:
             add_scatters(chapter, setting, parameters, mode)
             for number, measure in enumerate(RATES, FIRST_RATE[mode]):
@@ -36,13 +36,13 @@ def add_figures(chapter, setting):
 
 def file_of(number, parameters):
     """Returns fig_4_02 with the thesis's parameters, fig_4_02_better with better parameters."""
-    return f'fig_4_{number:02d}' + ('' if parameters == 'thesis' else '_better')
+    return f'fig_4_{number:02d}' + ('_better' if parameters == BETTER else '')
 
 
 def shown_seed(runs):
     """Returns seed and success of the run nearest to the thesis's success in demo, or to the median."""
     values, keys = numpy.array(of_mode(runs, 'demo', success)), dict(runs.keys)
-    target = THESIS_SUCCESS[keys['reward'], 'demo'] if keys['parameters'] == 'thesis' else numpy.median(values)
+    target = THESIS_SUCCESS[keys['reward'], 'demo'] if keys['parameters'] != BETTER else numpy.median(values)
     place = int(numpy.argmin(numpy.abs(values - target)))
     return runs.seeds()[place], values[place]
 
@@ -50,7 +50,7 @@ def shown_seed(runs):
 def shown_text(chapter, setting, parameters):
     seeds = {reward: shown_seed(learned(setting, reward, parameters)) for reward in REWARDS}
     return chapter.text_of(
-        'shown', what="thesis's success in demo" if parameters == 'thesis' else 'median success in demo',
+        'shown', what='median success in demo' if parameters == BETTER else "thesis's success in demo",
         listed='; '.join(f'{REWARD_NAMES[reward]}: seed {seed}, {value:.2f} %'
                          for reward, (seed, value) in seeds.items()))
 
@@ -139,7 +139,7 @@ def add_rates(chapter, setting, number, parameters, measure, mode):
     axes[0].set_ylabel(f'{measure} [% of the episodes]')
     axes[0].set_ylim(0, 105 if is_success else max(axes[0].get_ylim()[1], 5))
     chapter.draw(figure, file_of(number, parameters), measure, number=number, parameters=PARAMETER_NAMES[parameters],
-                 during=DURING[mode], own='' if parameters == 'thesis' else ', with its own parameters')
+                 during=DURING[mode], own=', with its own parameters' if parameters == BETTER else '')
 
 
 def add_paths(chapter, setting, parameters):

@@ -7,7 +7,7 @@ import numpy
 from crowd_experiments.records import spread_text
 
 from . import reward_measures as measures
-from .claim import Judgement, compared, decide, decide_each, decide_near, joined
+from .claim import Judgement, compared, decide, decide_each, decide_near, joined, number_text
 from .results import Runs, REWARDS, REWARD_NAMES, per_seed
 from .reward_measures import MODES, THESIS_SUCCESS, learned, of_mode
 
@@ -43,13 +43,15 @@ def scattered(setting, breadth, mode, greater, decimals=2):
 def each(setting, reward, mode, measure, sign, limit):
     values = measured(setting, reward, mode, measure)
     return Judgement(f'{REWARD_NAMES[reward]} {spread_text(values)}',
-                     decide_each(values, lambda value: CONDITIONS[sign](value, limit)))
+                     decide_each(values, lambda value: CONDITIONS[sign](value, limit)),
+                     f'{REWARD_NAMES[reward]} {number_text(values, 2, "")}')
 
 
 def number(setting, reward, mode):
     values, reported = measured(setting, reward, mode, 'success'), THESIS_SUCCESS[reward, mode]
     return Judgement(f'{REWARD_NAMES[reward]}: thesis {reported:.2f}, here {spread_text(values)}',
-                     decide_near(values, reported))
+                     decide_near(values, reported),
+                     f'{REWARD_NAMES[reward]} {number_text(values)} (thesis {reported:.2f})')
 
 
 def curved(setting):
@@ -81,7 +83,8 @@ def separation(setting, reward):
     found = measured(setting, reward, 'demo', lambda rows: (measures.success(rows), separated(rows)))
     flags = [flag for success, flag in found if 100.0 * LEAST_SIDE <= success <= 100.0 * (1.0 - LEAST_SIDE)]
     return Judgement(f'{REWARD_NAMES[reward]}: in {sum(flags)} of the {len(flags)} seeds with success between 5 and '
-                     '95 %', decide(numpy.mean(flags or [0.0]) > 0.5, flags or [False]))
+                     '95 %', decide(numpy.mean(flags or [0.0]) > 0.5, flags or [False]),
+                     f'{REWARD_NAMES[reward]} in {sum(flags)} of {len(flags)} seeds')
 
 
 def less_in_demo(setting, reward):
@@ -124,17 +127,20 @@ def training_differs(setting, reward):
     """Judges that success in training does not depict success in demo."""
     training, demo = (numpy.array(measured(setting, reward, mode, 'success')) for mode in MODES)
     return Judgement(f'{REWARD_NAMES[reward]}: training minus demo {spread_text(training - demo)} points',
-                     decide_each(numpy.abs(training - demo), lambda points: points > DIFFERENT))
+                     decide_each(numpy.abs(training - demo), lambda points: points > DIFFERENT),
+                     f'{REWARD_NAMES[reward]} {number_text(training - demo, unit=" points")}')
 
 
 def similar_success(setting):
     """Judges that both rewards have similar rates of success in demo."""
     gain, cosine = (numpy.array(measured(setting, reward, 'demo', 'success')) for reward in REWARDS)
     return Judgement(f'cos³ minus distance gained: {spread_text(cosine - gain)} points',
-                     decide(abs((cosine - gain).mean()) <= SIMILAR, numpy.abs(cosine - gain) <= SIMILAR))
+                     decide(abs((cosine - gain).mean()) <= SIMILAR, numpy.abs(cosine - gain) <= SIMILAR),
+                     f'cos³ more by {number_text(cosine - gain, unit=" points")}')
 
 
 def mostly_free(setting, reward):
     shares = measures.free_share(learned(setting, reward))
     return Judgement(f'{REWARD_NAMES[reward]}: {spread_text(shares, 1)} % without an obstacle',
-                     decide_each(shares, lambda share: share > 50.0))
+                     decide_each(shares, lambda share: share > 50.0),
+                     f'{REWARD_NAMES[reward]} {number_text(shares)}')

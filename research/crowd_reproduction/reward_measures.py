@@ -4,7 +4,7 @@ import functools
 import numpy
 from crowd_experiments.records import median, percent
 
-from .results import RATES, Runs, per_seed
+from .results import RATES, Runs, THESIS, per_seed
 
 MODES = ('training', 'demo')
 LEG = 20  # [decisions] length of the legs of a path, whose directions are compared
@@ -17,7 +17,7 @@ success, collision, contact = (
     functools.partial(lambda column, rows: percent(rows[column]), column) for column in RATES.values())
 
 
-def learned(setting, reward, parameters='thesis'):
+def learned(setting, reward, parameters=THESIS):
     return Runs.of(setting, 'learned', reward=reward, parameters=parameters)
 
 

@@ -3,9 +3,9 @@ import numpy
 import pandas
 from crowd_experiments.records import Spread, percent
 
-from .claim import Judgement, NOT_CONFIRMED, VERDICTS, best_of, compared, decide_all, graded, joined
+from .claim import Judgement, NOT_CONFIRMED, VERDICTS, best_of, compared, decide_all, graded, joined, number_text
 from .measures import crossing
-from .results import Runs, SETS
+from .results import BETTER, Runs, SETS, THESIS
 
 SCENES = {'same_state_a': 'a: one obstacle', 'same_state_b': 'b: a wide obstacle', 'same_state_c': 'c: two obstacles'}
 TESTS = {'twins_a': 'a: overlapping', 'twins_b': 'b: close', 'twins_c': 'c: gap too small', 'twins_d': 'd: tight gap'}
@@ -18,7 +18,7 @@ HALF_GAP = 0.95  # [m] of test d: distance of the obstacles' centres from the st
 class Agent:
     """The agents of all seeds of a training, with their results in the tests."""
 
-    def __init__(self, setting, training, states, parameters='thesis'):
+    def __init__(self, setting, training, states, parameters=THESIS):
         self.runs = Runs.of(setting, 'twins' if training == 'twins' else 'agents', states=states, parameters=parameters)
         self.tests, self.file = f'tests_{training}', f'tests_{training}.csv'
         self.table = 'single.txt' if training == 'single' else 'q_table.txt'
@@ -52,12 +52,14 @@ def rows_of(setting, states):
 def same_row(setting):
     first, second = (rows_of(setting, states) for states in SETS)
     return Judgement(f'rows of set 1: {first}, of set 2: {second}',
-                     VERDICTS[2 - int(len(set(first)) == 1) - int(len(set(second)) == len(second))])
+                     VERDICTS[2 - int(len(set(first)) == 1) - int(len(set(second)) == len(second))],
+                     f'{len(set(first))} row of set 1, {len(set(second))} of set 2')
 
 
 def alone_behaves(setting):
     values = Agent(setting, 'single', 'nearest').clean_shares(ALONE)
-    return Judgement(f'set 1 arrives without a collision in {Spread(values).text(1)} % of the episodes', graded(values))
+    return Judgement(f'set 1 arrives without a collision in {Spread(values).text(1)} % of the episodes', graded(values),
+                     number_text(values))
 
 
 def two_confuse(setting):
@@ -70,9 +72,15 @@ def handles(setting, test):
     """Judges whether set 2 handles a test, which means that it arrives without a collision."""
     values = {name: Agent(setting, training, 'occupancy').clean_shares(test) for training, name in TRAININGS.items()}
     text = '; '.join(f'{name}: {Spread(of_seeds).text(1)} %' for name, of_seeds in values.items())
-    better = Spread(Agent(setting, 'field', 'occupancy', 'better').clean_shares(test)).text(1)
+    better = Spread(Agent(setting, 'field', 'occupancy', BETTER).clean_shares(test)).text(1)
     return Judgement(f'arrives without a collision, {text}; better parameters, {TRAININGS["field"]}: {better} %',
-                     best_of(map(graded, values.values())))
+                     best_of(map(graded, values.values())), best_number(values))
+
+
+def best_number(values):
+    """Returns the name and the number of the best training, given rates of the seeds by its name."""
+    name = max(values, key=lambda name: numpy.mean(values[name]))
+    return f'{name}: {number_text(values[name])}'
 
 
 def second_set_is_better(setting):
@@ -88,11 +96,12 @@ def squeezes(setting):
     texts = [f'{name}: between {Spread(between).text(1)} %, around {Spread(around).text(1)} %'
              for name, (between, around) in found.items()]
     return Judgement(f'episodes of test d in which the agent passes: {"; ".join(texts)}',
-                     best_of(graded(between) for between, _ in found.values()))
+                     best_of(graded(between) for between, _ in found.values()),
+                     best_number({name: between for name, (between, _) in found.items()}))
 
 
 def takes_longer(setting):
-    texts, verdicts = [], []
+    texts, verdicts, numbers = [], [], []
     for training, name in TRAININGS.items():
         agent = Agent(setting, training, 'occupancy')
         *others, tight = (agent.runs.arrivals(agent.file, 'ticks', test) for test in TESTS)
@@ -101,7 +110,8 @@ def takes_longer(setting):
             found = compared(f'{name}: ', 'd', next(zip(*pairs)), 'a to c', [other for _, other in pairs], 0)
             texts.append(found.measured)
             verdicts.append(found.verdict)
+            numbers.append(f'{name}: {found.number}')
         else:
             texts.append(f'{name}: no seed arrives in d and in another test')
     return Judgement(f'decisions of the agents that arrive. {"; ".join(texts)}',
-                     decide_all(*verdicts) if verdicts else NOT_CONFIRMED)
+                     decide_all(*verdicts) if verdicts else NOT_CONFIRMED, *numbers[:1])

@@ -9,6 +9,7 @@ import textwrap
 import typing
 
 MARKS = re.compile(r'(<!-- table ([\w/]+) -->\n).*?(<!-- end -->)', re.DOTALL)
+PHRASES = re.compile(r'(<!-- phrase ([\w/]+) -->).*?(<!-- end -->)', re.DOTALL)
 PICTURES = re.compile(r'!\[[^\]]*\]\(images/(\w+\.png)\)')
 LONGEST_CELL = 80  # [characters] of a printed table
 TEMPLATE = pathlib.Path(__file__).with_name('page.html')
@@ -52,6 +53,7 @@ class Chapter:
     title: str
     parts: list = dataclasses.field(default_factory=list)
     commands: list = dataclasses.field(default_factory=list)  # command lines of one run, as an example
+    phrases: dict = dataclasses.field(default_factory=dict)  # texts for a document, by their names
 
     def add_text(self, text):
         self.parts.append(text)
@@ -81,17 +83,22 @@ def write_page(file, title, program, chapters, intro):
 
 
 def fill_document(file, chapters):
-    """Replaces the text between the marks `<!-- table CHAPTER/NAME -->` and `<!-- end -->` by the table, and copies the
-    figures that the document shows to images/. Returns a message for each table and figure that was not measured."""
+    """Replaces the text between the marks `<!-- table CHAPTER/NAME -->` and `<!-- end -->` by the table, that between
+    `<!-- phrase CHAPTER/NAME -->` and `<!-- end -->` by the phrase, and copies the figures that the document shows to
+    images/. Returns a message for each table, phrase and figure that was not measured."""
     file = pathlib.Path(file)
     tables = {f'{chapter.name}/{table.name}': table for chapter in chapters for table in chapter.tables() if table.name}
     figures = {part.file.name: part.file for chapter in chapters for part in chapter.parts if isinstance(part, Figure)}
+    phrases = {f'{chapter.name}/{name}': text for chapter in chapters for name, text in chapter.phrases.items()}
     text = file.read_text(encoding='utf-8')
-    file.write_text(MARKS.sub(lambda match: match[1] + tables[match[2]].markdown() + match[3] if match[2] in tables
-                              else match[0], text), encoding='utf-8')
+    filled = MARKS.sub(lambda match: match[1] + tables[match[2]].markdown() + match[3] if match[2] in tables
+                       else match[0], text)
+    file.write_text(PHRASES.sub(lambda match: match[1] + phrases[match[2]] + match[3] if match[2] in phrases
+                                else match[0], filled), encoding='utf-8')
     shown = PICTURES.findall(text)
     for name in set(shown) & set(figures):
         shutil.copyfile(figures[name], file.parent / 'images' / name)
     missing = [name for _, name, _ in MARKS.findall(text) if name not in tables]
+    missing += [name for _, name, _ in PHRASES.findall(text) if name not in phrases]
     missing += [name for name in shown if name not in figures]
     return [f'{file}: {name} was not measured and is left unchanged' for name in missing]

@@ -8,10 +8,10 @@ from crowd_experiments.records import Spread
 from crowd_studies.scene_figures import draw_perception, draw_scene, frame_alike
 
 from ..measures import sectors_of
-from ..results import PARAMETERS, PARAMETER_NAMES, RATE_HEADER, SETS, rate_texts, report_of
+from ..results import BETTER, PARAMETERS, PARAMETER_NAMES, RATE_HEADER, SETS, THESIS, rate_texts, report_of
 from ..twins import ALONE, SCENES, TESTS, TRAININGS, Agent, first_decision, rows_of
 
-DRAWN = {'thesis': 'single', 'better': 'field'}  # the training that figure 4.16 shows
+DRAWN = {THESIS: 'single', BETTER: 'field'}  # the training that figure 4.16 shows
 RADII = (0.5, 1.0)  # of the two distance classes [m]
 LIMITS = {'nearest': (0, 15, 45, 90, 180, -90, -45, -15), 'occupancy': numpy.arange(-157.5, 180, 45)}
 CLEAN = 'arrived > 0 and collided == 0'
@@ -25,19 +25,20 @@ def report(setting):
     add_same_state(chapter, setting)
     add_failures(chapter, setting)
     add_perceptions(chapter, setting)
-    for parameters in PARAMETERS:
+    for parameters in DRAWN:
         add_twins(chapter, setting, parameters)
-    for parameters in PARAMETERS:
+    for parameters in PARAMETERS['occupancy']:
         chapter.tabulate(f'twins_{parameters}', [
             '', *RATE_HEADER, 'path ratio (arrivals only)', 'decisions (arrivals only)', 'rows visited in training'], [
                 [f'{style.short_set_name(states)}, {label}, {title}',
                  *test_cells(Agent(setting, training, states, parameters), test)]
-                for training, label in TRAININGS.items() for states in SETS for test, title in TESTS.items()],
+                for training, label in TRAININGS.items() for states in SETS
+                    if parameters in PARAMETERS[states] for test, title in TESTS.items()],
             'twins', parameters=PARAMETER_NAMES[parameters])
     chapter.tabulate('passage', ['', 'between the obstacles %', 'around both %'], [
         [f'{PARAMETER_NAMES[parameters]}, {label}',
          *(Spread(shares).text(1) for shares in Agent(setting, training, 'occupancy', parameters).passages())]
-        for parameters in PARAMETERS for training, label in TRAININGS.items()])
+        for parameters in PARAMETERS['occupancy'] for training, label in TRAININGS.items()])
     return chapter
 
 
@@ -131,5 +132,5 @@ def add_twins(chapter, setting, parameters):
         mean = agent.runs.rates(agent.file, test).mean()
         panel.set_title(f'({title[0]}) {title[3:]}, seed {row["seed"]}' + ('' if found else ' (fails)') +
                         f'\nall: success {mean.success:.0f} %, collision {mean.collision:.0f} %')
-    chapter.draw(figure, 'figure_4_16' + ('' if parameters == 'thesis' else f'_{parameters}'), 'figure_4_16',
+    chapter.draw(figure, 'figure_4_16' + (f'_{BETTER}' if parameters == BETTER else ''), 'figure_4_16',
                  parameters=PARAMETER_NAMES[parameters], training=TRAININGS[DRAWN[parameters]])

@@ -3,14 +3,14 @@ from crowd_experiments import style
 from crowd_experiments.records import Spread
 
 from ..crowds import LEAST_SECTORS, SOON, agents, surrounded
-from ..results import RATE_HEADER, Runs, rate_texts, report_of
+from ..results import LEAD, RATE_HEADER, Runs, THESIS, rate_texts, report_of
 from .scenarios import SURROUNDED, surrounded_row
 
 NAME = 'future_work'
 SCENARIO = 'circle12_varied'
 WATCHED = 2  # number of episodes of which every decision is recorded
 # Labels by variations.
-LABELS = {'thesis': "the thesis's agent", 'stay': 'stay action', 'stay_02': 'stay action, cost 0.2',
+LABELS = {THESIS: "the thesis's agent", 'stay': 'stay action', 'stay_02': 'stay action, cost 0.2',
           'stay_1': 'stay action, cost 1', 'stay_5': 'stay action, cost 5', 'occlusion': 'occlusion',
           'condensed': 'condensed states', 'both': 'stay action, cost 1, occlusion'}
 COLOUR = '#8e5ea2'
@@ -29,8 +29,8 @@ def report(setting):
 
 
 def runs_of(setting, variation):
-    """Returns the runs of a variation; the thesis's agent is that of the scenarios."""
-    return agents(setting) if variation == 'thesis' else Runs.of(setting, NAME, variation=variation)
+    """Returns the runs of a variation, with the reading that leads; the thesis's agent is that of the scenarios."""
+    return agents(setting, LEAD) if variation == THESIS else Runs.of(setting, NAME, variation=variation)
 
 
 def rates(setting, variation):

@@ -4,15 +4,17 @@ from crowd_experiments import style
 from crowd_experiments.records import Spread
 
 from ..crowds import agents
-from ..results import PARAMETERS, PARAMETER_NAMES, RATES, SETS, report_of
+from ..results import DRAWN, PARAMETERS, PARAMETER_NAMES, RATES, SETS, report_of
 
 SCENARIOS = {'training_field': ('one agent among obstacles', '-'), 'circle6': ('six on a circle', ':')}
 
 
 def report(setting):
     chapter = report_of('learning_curves', setting, 10)
-    curves = {(states, parameters): Curve(setting, states, parameters) for states in SETS for parameters in PARAMETERS}
-    add_figure(chapter, curves)
+    curves = {(states, parameters): Curve(setting, states, parameters) for states in SETS
+              for parameters in PARAMETERS[states]}
+    add_figure(chapter, {(states, parameters): Curve(setting, states, parameters) for states in SETS
+                         for parameters in DRAWN})
     chapter.tabulate('curves', ['', 'rows visited', *(f'{scenario}: {measure} %' for scenario in SCENARIOS
                                                       for measure in RATES)], [
         [f'{style.short_set_name(states)}, {PARAMETER_NAMES[parameters]}, '
@@ -38,9 +40,9 @@ class Curve:
 
 def add_figure(chapter, curves):
     """Adds the figure of rows, success, collision and contact (from top to bottom) for both sets of parameters."""
-    figure, axes = style.new_figure(1 + len(RATES), len(PARAMETERS), 11, 11, sharex=True, sharey=True)
+    figure, axes = style.new_figure(1 + len(RATES), len(DRAWN), 11, 11, sharex=True, sharey=True)
     for (states, parameters), curve in curves.items():
-        panels = axes[:, PARAMETERS.index(parameters)]
+        panels = axes[:, DRAWN.index(parameters)]
         colour = style.SET_COLOURS[states]
         panels[0].plot(curve.episodes, 100.0 * curve.rows.mean(axis=1) / curve.all_rows, color=colour,
                        label=f'{style.SET_NAMES[states]}: of {curve.all_rows:,} rows')
@@ -48,7 +50,7 @@ def add_figure(chapter, curves):
             for panel, values in zip(panels[1:], curve.rates[scenario].mean(axis=1).T):
                 panel.plot(curve.episodes, values, color=colour, linestyle=line,
                            label=f'{style.short_set_name(states)}, {name}')
-    for column, parameters in enumerate(PARAMETERS):
+    for column, parameters in enumerate(DRAWN):
         axes[0][column].set_title(PARAMETER_NAMES[parameters])
         axes[-1][column].set_xlabel('training episodes among several obstacles')
     labels = ['rows ever visited [%]', *(f'{measure} in demo [% of the agents]' for measure in RATES)]

@@ -3,11 +3,14 @@ import numpy
 from crowd_experiments.records import Spread, spread_text
 from crowd_experiments.variations import heading_of, read_documents
 
-from ..results import PARAMETERS, PARAMETER_NAMES, RATES, RATE_HEADER, REWARDS, REWARD_NAMES, Runs, report_of
+from ..results import (BETTER, PARAMETERS, PARAMETER_NAMES, RATES, RATE_HEADER, REWARDS, REWARD_NAMES, Runs, SETS,
+                       report_of)
 from ..reward_figures import add_figures
 from ..reward_measures import (MODES, THESIS_SUCCESS, collision, contact, gain_per_step, learned, of_mode,
                                path_per_gain, path_ratio, success, turning)
 
+ALL = PARAMETERS[SETS[0]]
+READ = [parameters for parameters in ALL if parameters != BETTER]
 # Requirements for the better parameters in demo [%].
 LEAST_MEAN_SUCCESS, LEAST_SUCCESS, MOST_CONTACT = 99.0, 97.0, 1.0
 RATIOS = {'distance gained per step [m]': (gain_per_step, 4), 'path per distance gained': (path_per_gain, 2)}
@@ -23,20 +26,22 @@ def report(setting):
     chapter.tabulate('rewards', [*thesis, *RATIOS], [
         [row_name(parameters, mode, reward), reported(parameters, reward, mode),
          *cells(learned(setting, reward, parameters), mode, RATIOS)]
-        for parameters in PARAMETERS for mode in MODES for reward in REWARDS])
+        for parameters in ALL for mode in MODES for reward in REWARDS])
     chapter.tabulate('free', ['', *RATE_HEADER, *RATIOS, *OF_ARRIVALS], [
         [row_name(parameters, reward), *cells(learned(setting, reward, parameters), 'free', {**RATIOS, **OF_ARRIVALS})]
-        for parameters in PARAMETERS for reward in REWARDS])
+        for parameters in ALL for reward in REWARDS])
     chapter.tabulate('headings', thesis, [
-        [row_name('thesis', f'heading: {heading}', mode, reward), reported('thesis', reward, mode),
+        [row_name(parameters, f'heading: {heading}', mode, reward), reported(parameters, reward, mode),
          *cells(of_reward[reward], mode)]
-        for heading, of_reward in headings(setting).items() for mode in MODES for reward in REWARDS])
-    chapter.say('nearest', **nearest(setting))
+        for parameters in READ for heading, of_reward in headings(setting, parameters).items() for mode in MODES
+        for reward in REWARDS])
+    chapter.tabulate('nearest', ['', 'sum of the differences [points]'], nearest(setting))
     chapter.tabulate('more_training', ['', *RATE_HEADER], [
-        [row_name('thesis', f'{episodes} training episodes', mode, reward), *cells(runs, mode)]
-        for episodes, found in ((setting.count('2,000', 40), lambda reward: learned(setting, reward)),
-                                (setting.count('8,000', 80), lambda reward: Runs.of(setting, 'longer', reward=reward)))
-        for mode in MODES for reward in REWARDS for runs in [found(reward)]])
+        [row_name(parameters, f'{episodes} training episodes', mode, reward),
+         *cells(Runs.of(setting, group, reward=reward, parameters=parameters), mode)]
+        for parameters in READ for episodes, group in ((setting.count('2,000', 40), 'learned'),
+                                                       (setting.count('8,000', 80), 'longer'))
+        for mode in MODES for reward in REWARDS])
     chapter.say('requirements', words='; '.join(requirement(setting, reward) for reward in REWARDS),
                 mean=LEAST_MEAN_SUCCESS, least=LEAST_SUCCESS, contact=MOST_CONTACT)
     return chapter
@@ -64,32 +69,33 @@ def cells(runs, mode, measures=()):
 
 def reported(parameters, reward, mode):
     """Returns the thesis's rate of success for the thesis's parameters; otherwise an empty text."""
-    return f'{THESIS_SUCCESS[reward, mode]:.2f}' if parameters == 'thesis' else ''
+    return '' if parameters == BETTER else f'{THESIS_SUCCESS[reward, mode]:.2f}'
 
 
 def row_name(parameters, *words):
     return ', '.join([PARAMETER_NAMES[parameters], *words[:-1], REWARD_NAMES[words[-1]]])
 
 
-def headings(setting):
+def headings(setting, parameters):
     """Returns the runs by heading at the start, which the thesis leaves open, and by reward."""
-    varied = {heading: {reward: Runs.of(setting, 'headings', variation=f'heading_{heading}', reward=reward)
+    varied = {heading: {reward: Runs.of(setting, 'headings', variation=f'heading_{heading}', reward=reward,
+                                          parameters=parameters)
                         for reward in REWARDS} for heading in ('goal', 'kept')}
-    return {'random': {reward: learned(setting, reward) for reward in REWARDS}, **varied}
+    return {'random': {reward: learned(setting, reward, parameters) for reward in REWARDS}, **varied}
 
 
 def nearest(setting):
-    """Returns the heading at the start whose rates are the nearest to the thesis's, and how far all are from them."""
-    off = {heading: sum(abs(Spread(of_mode(of_reward[reward], mode, success)).mean - rate)
-                        for (reward, mode), rate in THESIS_SUCCESS.items())
-           for heading, of_reward in headings(setting).items()}
-    return {'listed': ', '.join(f'{heading} {points:.1f}' for heading, points in off.items()),
-            'nearest': min(off, key=off.get)}
+    """Returns rows with how far the four mean rates of success are from those of the thesis, the nearest first."""
+    off = {f'{PARAMETER_NAMES[parameters]}, heading: {heading}': sum(
+        abs(Spread(of_mode(of_reward[reward], mode, success)).mean - rate)
+        for (reward, mode), rate in THESIS_SUCCESS.items())
+           for parameters in READ for heading, of_reward in headings(setting, parameters).items()}
+    return [[name, f'{off[name]:.1f}'] for name in sorted(off, key=off.get)]
 
 
 def requirement(setting, reward):
     """Returns a text on whether the better parameters meet the requirements with a reward."""
-    arrived, touched, collided = (Spread(of_mode(learned(setting, reward, 'better'), 'demo', measure))
+    arrived, touched, collided = (Spread(of_mode(learned(setting, reward, BETTER), 'demo', measure))
                                   for measure in (success, contact, collision))
     passed = arrived.mean >= LEAST_MEAN_SUCCESS and arrived.low >= LEAST_SUCCESS and touched.mean <= MOST_CONTACT
     return (f'{REWARD_NAMES[reward]}: mean {arrived.mean:.2f} %, worst seed {arrived.low:.2f} %, contact '

@@ -5,7 +5,7 @@ from crowd_experiments.records import Spread
 from ..crowds import (APART, CROWDED, GROUPING, LEAST_SECTORS, SCENARIOS, SOON, TIMES, VISIT_CLASSES, WATCHED,
                       add_dummies, add_figures, add_groups, agents, by_visits, last_metre, phases, rates, surrounded)
 from ..measures import share
-from ..results import PARAMETERS, PARAMETER_NAMES, RATE_HEADER, Runs, SETS, rate_texts, report_of
+from ..results import PARAMETERS, PARAMETER_NAMES, RATE_HEADER, Runs, SETS, THESIS, rate_texts, report_of
 
 # Columns of tables about surrounded agents: measure of a Surrounded and decimals, by title.
 SURROUNDED = {
@@ -28,29 +28,28 @@ def report(setting):
     header = ['', *RATE_HEADER, 'episodes: all arrive, no contact %', 'episodes: all arrive, no collision %',
               'path ratio (arrivals only)', *(f'crowd trained together: {rate}' for rate in RATE_HEADER)]
     chapter.tabulate('set2_thesis', header, [
-        scenario_row(setting, scenario, 'occupancy', 'thesis', scenario) for scenario in SCENARIOS])
+        scenario_row(setting, scenario, 'occupancy', THESIS, scenario) for scenario in SCENARIOS])
     chapter.tabulate('others', header, [
         scenario_row(setting, scenario, states, parameters,
                      f'{scenario}, {style.short_set_name(states)}, {PARAMETER_NAMES[parameters]}')
-        for scenario in SCENARIOS for states, parameters in
-        (('nearest', 'thesis'), ('nearest', 'better'), ('occupancy', 'better'))])
+        for scenario in SCENARIOS for states in SETS for parameters in PARAMETERS[states]])
     add_dummies(chapter, setting)
     chapter.tabulate('dummies', ['', *RATE_HEADER], [
         [f'{PARAMETER_NAMES[parameters]}, {scenario}', *rate_texts(rates(agents(setting, parameters), scenario))]
-        for scenario in ('dummies', 'dummies_wide') for parameters in PARAMETERS])
+        for scenario in ('dummies', 'dummies_wide') for parameters in PARAMETERS['occupancy']])
     add_figures(chapter, setting)
     add_groups(chapter, setting)
     add_group_tables(chapter, setting)
     chapter.tabulate('surrounded', ['', *SURROUNDED], [
         surrounded_row(f'{PARAMETER_NAMES[parameters]}, {scenario}', surrounded(agents(setting, parameters), scenario))
-        for parameters in PARAMETERS for scenario in WATCHED], definitions=chapter.text_of('definitions'))
+        for parameters in PARAMETERS['occupancy'] for scenario in WATCHED], definitions=chapter.text_of('definitions'))
     add_visits(chapter, setting)
     add_main_tables(chapter, agents(setting))
     chapter.tabulate('rows', ['', 'rows', 'visited', 'decisions in training [million]'], [
         [f'{label}, {style.SET_NAMES[states]}, {PARAMETER_NAMES[parameters]}',
          *rows_cells(Runs.of(setting, group, states=states, parameters=parameters))]
         for group, label in (('agents', 'one agent'), ('crowds', 'crowd trained together on a mix'))
-        for parameters in PARAMETERS for states in SETS])
+        for states in SETS for parameters in PARAMETERS[states]])
     return chapter
 
 
@@ -65,7 +64,7 @@ def scenario_row(setting, scenario, states, parameters, label):
 
 def add_group_tables(chapter, setting):
     rows = []
-    for parameters in PARAMETERS:
+    for parameters in PARAMETERS['occupancy']:
         for title, measure in GROUPING.items():
             values = phases(agents(setting, parameters), measure)
             for i, scenario in enumerate(('with the moving obstacle', 'without it, at the same ticks')):
@@ -75,7 +74,7 @@ def add_group_tables(chapter, setting):
     chapter.tabulate('groups_end', ['', 'at the start', 'at the first arrival'], [
         [f'{PARAMETER_NAMES[parameters]}, {scenario}',
          *(Spread(values).text(2) for values in last_metre(agents(setting, parameters), scenario).T)]
-        for parameters in PARAMETERS for scenario in ('same_goal6', 'same_goal6_mover', APART)])
+        for parameters in PARAMETERS['occupancy'] for scenario in ('same_goal6', 'same_goal6_mover', APART)])
 
 
 def surrounded_row(label, found):

@@ -3,10 +3,10 @@ import numpy
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 
-from ..results import RATES, Runs, SETS, rates_of, report_of
+from ..results import BETTER, PARAMETERS, PARAMETER_NAMES, RATES, Runs, SETS, THESIS, rates_of, report_of
 
 NAME = 'sharing'
-EPISODES, QUICK_EPISODES = (0, 10, 100, 1000, 4000), (0, 5)  # of the pioneer among several obstacles
+EPISODES, QUICK_EPISODES = (0, 100, 1000, 4000), (0, 5)  # of the pioneer among several obstacles
 JUDGED_EPISODES = 50  # the last of those in which all agents continue learning
 USES = {'fixed': ('unchanged table', '#0072b2'), 'own': ('all continue learning, own tables', '#e69f00'),
         'shared': ('all continue learning, one shared table', '#cc79a7')}
@@ -14,19 +14,19 @@ USES = {'fixed': ('unchanged table', '#0072b2'), 'own': ('all continue learning,
 
 def report(setting):
     chapter = report_of(NAME, setting, 10, judged=JUDGED_EPISODES)
-    curves = {(states, use): curve(setting, states, use) for states in SETS for use in USES}
-    add_figure(chapter, setting, curves)
+    add_figure(chapter, setting, {(states, use): curve(setting, states, use) for states in SETS for use in USES})
     chapter.tabulate(NAME, ['', *(f'{use}: {measure} %' for use in ('unchanged table', 'own tables', 'one table')
                                   for measure in RATES)], [
-        [f"{style.SET_NAMES[states]}, thesis's parameters, {episodes:,} episodes among several obstacles",
-         *(Spread(values).text(1) for use in USES for values in curves[states, use][i].T)]
-        for states in SETS for i, episodes in enumerate(setting.count(EPISODES, QUICK_EPISODES))])
+        [f'{style.SET_NAMES[states]}, {PARAMETER_NAMES[parameters]}, {episodes:,} episodes among several obstacles',
+         *(Spread(values).text(1) for use in USES for values in curve(setting, states, use, parameters)[i].T)]
+        for states in SETS for parameters in PARAMETERS[states] if parameters != BETTER
+        for i, episodes in enumerate(setting.count(EPISODES, QUICK_EPISODES))])
     return chapter
 
 
-def curve(setting, states, use):
+def curve(setting, states, use, parameters=THESIS):
     """Returns an array (episodes, seeds, 3) of success, collision and contact [%]."""
-    records = [Runs.of(setting, NAME, states=states).record(f'{use}_{episodes:05d}.csv')
+    records = [Runs.of(setting, NAME, states=states, parameters=parameters).record(f'{use}_{episodes:05d}.csv')
                for episodes in setting.count(EPISODES, QUICK_EPISODES)]
     return numpy.array([rates_of(record[record['episode'] > record['episode'].max() - JUDGED_EPISODES])
                         for record in records])
