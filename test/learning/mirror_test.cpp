@@ -128,6 +128,10 @@ TEST(Mirror, ByHand) {
   // Goal sector 1; class 1 in sector 1, class 2 in sector 4: these digits stand for 3^6 and 3^3, that of sector 7
   // for 1.
   EXPECT_EQ(occupancy.row(6561U + 729U + 2U * 27U), 7U * 6561U + 2U * 27U + 1U);
+  const Mirror limited = mirrorOf(models()[8]);
+  // Goal sector 1; class 1 in sector 1, 15-45 degrees on the left, class 2 in sector 7, behind on the right; then goal
+  // sector 7, class 1 in sector 5 (3^2) and class 2 in sector 3 (3^4).
+  EXPECT_EQ(limited.row(6561U + 729U + 2U), 7U * 6561U + 9U + 2U * 81U);
   const Mirror goal_relative = mirrorOf(models()[4]);
   EXPECT_EQ(goal_relative.action(0), 0U);
   EXPECT_EQ(goal_relative.action(1), 2U);    // 10 degrees to either side

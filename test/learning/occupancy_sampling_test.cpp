@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "common/random.h"
 #include "learning/states/occupancy_states.h"
@@ -16,6 +17,9 @@ namespace {
 constexpr int POINTS = 4000;          // samples per body and wall
 constexpr double CLEAR_ANGLE = 0.02;  // no wall's end or disc's centre is this near to a sector's limit [rad]
 constexpr double CLEAR = 2e-3;        // minimum distance from any other decision boundary [m]
+
+/// Limits of uneven sectors on each side [degrees].
+const std::vector<std::vector<double>> LIMITS = {{15, 45, 90, 180}, {180}, {30, 180}, {10, 25, 50, 80, 120, 180}};
 
 struct Disc {
   Vector2 centre;
@@ -31,18 +35,50 @@ Nearest nowhere() {
   return nearest;
 }
 
-/// Returns the distance of an angle from the nearest limit of a sector [rad].
-double angleToLimit(double angle, int sectors) {
-  const double width = 2.0 * PI / sectors;
-  return std::abs(std::remainder(angle - width / 2.0, width));
+struct Sector {
+  std::size_t number;
+  double from;  // right limit [rad]
+  double width;
+
+  bool contains(double angle) const {
+    return std::abs(std::remainder(angle - from - width / 2.0, 2.0 * PI)) <= width / 2.0;
+  }
+};
+
+/// Counterclockwise, each beside the next one, and the last one beside the first.
+using Sectors = std::vector<Sector>;
+
+Sectors sectorsOf(const OccupancyStates::Parameters& parameters) {
+  Sectors sectors;
+  if (parameters.obstacle_sectors.empty()) {
+    const double width = 2.0 * PI / parameters.sectors;
+    for (int i = 0; i < parameters.sectors; ++i)
+      sectors.push_back({static_cast<std::size_t>(i), (i - 0.5) * width, width});
+    return sectors;
+  }
+  double inner = 0.0;
+  for (const double outer : parameters.obstacle_sectors) {
+    sectors.push_back({sectors.size(), toRadians(inner), toRadians(outer - inner)});
+    inner = outer;
+  }
+  for (std::size_t i = sectors.size(); i-- > 0;) {
+    const Sector& left = sectors[i];
+    sectors.push_back({parameters.obstacle_sectors.size() + i, -left.from - left.width, left.width});
+  }
+  return sectors;
 }
 
-void notePoint(const Vector2& point, int sectors, Nearest& nearest) {
-  const double width = 2.0 * PI / sectors;
-  for (int sector = 0; sector < sectors; ++sector) {
-    const double from_middle = std::remainder(bearingOf(point) - sector * width, 2.0 * PI);
-    double& distance = nearest.at(static_cast<std::size_t>(sector));
-    if (std::abs(from_middle) <= width / 2.0) distance = std::min(distance, point.norm());
+/// Returns the distance of an angle from the nearest limit of a sector [rad].
+double angleToLimit(double angle, const Sectors& sectors) {
+  double least = INFINITY;
+  for (const Sector& sector : sectors) least = std::min(least, std::abs(std::remainder(angle - sector.from, 2.0 * PI)));
+  return least;
+}
+
+void notePoint(const Vector2& point, const Sectors& sectors, Nearest& nearest) {
+  for (const Sector& sector : sectors) {
+    double& distance = nearest.at(sector.number);
+    if (sector.contains(bearingOf(point))) distance = std::min(distance, point.norm());
   }
 }
 
@@ -55,17 +91,17 @@ int classAt(double distance) {
 bool isNearAClassLimit(double distance) { return std::abs(distance - 0.5) < CLEAR || std::abs(distance - 1.0) < CLEAR; }
 
 /// The limiting vector on the right of a sector, with a length.
-Segment limitingVector(int sector, int sectors, double length) {
-  return {Vector2::Zero(), length * unitVector((sector - 0.5) * 2.0 * PI / sectors)};
+Segment limitingVector(const Sector& sector, double length) {
+  return {Vector2::Zero(), length * unitVector(sector.from)};
 }
 
 /// Whether a limiting vector grazes the disc, or the disc lies on the limit of a class or of a sector.
-bool isAMatterOfOpinion(const Disc& disc, int sectors) {
+bool isAMatterOfOpinion(const Disc& disc, const Sectors& sectors) {
   const double rim = disc.centre.norm() - disc.radius;
   if (isNearAClassLimit(rim) || angleToLimit(bearingOf(disc.centre), sectors) < CLEAR_ANGLE) return true;
-  for (int sector = 0; sector < sectors; ++sector) {
+  for (const Sector& sector : sectors) {
     for (const double length : {0.5, 1.0}) {
-      const double miss = distanceTo(limitingVector(sector, sectors, length), disc.centre) - disc.radius;
+      const double miss = distanceTo(limitingVector(sector, length), disc.centre) - disc.radius;
       if (std::abs(miss) < CLEAR) return true;
     }
   }
@@ -83,26 +119,23 @@ void lower(int& present, int distance_class) {
   if (distance_class > 0 && (present == 0 || distance_class < present)) present = distance_class;
 }
 
-void searchDisc(const Disc& disc, int sectors, std::array<int, OccupancyStates::MAX_SECTORS>& classes) {
-  const double width = 2.0 * PI / sectors;
-  for (int sector = 0; sector < sectors; ++sector) {
+void searchDisc(const Disc& disc, const Sectors& sectors, std::array<int, OccupancyStates::MAX_SECTORS>& classes) {
+  for (std::size_t i = 0; i < sectors.size(); ++i) {
+    const Sector& sector = sectors[i];
+    int& distance_class = classes.at(sector.number);
     // First step: the sector in which the segment to the centre falls, at the distance of the rim.
-    const double from_middle = std::remainder(bearingOf(disc.centre) - sector * width, 2.0 * PI);
-    if (std::abs(from_middle) < width / 2.0) {
-      lower(classes.at(static_cast<std::size_t>(sector)), classAt(disc.centre.norm() - disc.radius));
-    }
+    if (sector.contains(bearingOf(disc.centre))) lower(distance_class, classAt(disc.centre.norm() - disc.radius));
     // Second step: limiting vectors as long as the distances of the classes.
     for (const double length : {1.0, 0.5}) {
-      if (!cuts(limitingVector(sector, sectors, length), disc)) continue;
-      const int on_the_right = (sector + sectors - 1) % sectors;
-      lower(classes.at(static_cast<std::size_t>(sector)), classAt(length));
-      lower(classes.at(static_cast<std::size_t>(on_the_right)), classAt(length));
+      if (!cuts(limitingVector(sector, length), disc)) continue;
+      lower(distance_class, classAt(length));
+      lower(classes.at(sectors[(i + sectors.size() - 1) % sectors.size()].number), classAt(length));
     }
   }
 }
 
 /// The same for a wall, whose parts have different distances. Returns whether the result is unambiguous.
-bool searchWall(const Segment& wall, int sectors, std::array<int, OccupancyStates::MAX_SECTORS>& classes) {
+bool searchWall(const Segment& wall, const Sectors& sectors, std::array<int, OccupancyStates::MAX_SECTORS>& classes) {
   Nearest found = nowhere();
   for (int i = 0; i <= POINTS; ++i) {
     notePoint(wall.from + (wall.to - wall.from) * i / POINTS, sectors, found);
@@ -122,13 +155,15 @@ bool compareWorld(std::uint64_t seed, std::uint32_t max_discs, std::uint32_t max
   KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
   OccupancyStates::Parameters parameters;
   parameters.sectors = seed % 2 == 0 ? 8 : 2 + static_cast<int>(random.below(11));
+  if (seed % 3 == 0) parameters.obstacle_sectors = LIMITS.at(seed / 3 % LIMITS.size());
+  const Sectors sectors = sectorsOf(parameters);
   PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {5.0, 0.0});
   std::array<int, OccupancyStates::MAX_SECTORS> expected{};
   for (std::uint32_t i = random.below(max_discs + 1); i > 0; --i) {
     const double distance = random.uniform(0.0, 2.0);
     const Disc disc = {polar(random.uniform(-180.0, 180.0), distance), random.uniform(0.02, 1.2)};
-    if (isAMatterOfOpinion(disc, parameters.sectors)) return false;
-    searchDisc(disc, parameters.sectors, expected);
+    if (isAMatterOfOpinion(disc, sectors)) return false;
+    searchDisc(disc, sectors, expected);
     scene.neighbour(disc.centre, disc.radius);
   }
   for (std::uint32_t i = random.below(max_walls + 1); i > 0; --i) {
@@ -136,7 +171,7 @@ bool compareWorld(std::uint64_t seed, std::uint32_t max_discs, std::uint32_t max
     const Vector2 from = polar(random.uniform(-180.0, 180.0), distance);
     const double length = random.uniform(0.01, 3.0);
     const Segment wall = {from, from + polar(random.uniform(-180.0, 180.0), length)};
-    if (!searchWall(wall, parameters.sectors, expected)) return false;
+    if (!searchWall(wall, sectors, expected)) return false;
     scene.wall(wall.from, wall.to);
   }
   EXPECT_EQ(OccupancyStates(parameters).describe(scene.perception()).distance_classes, expected);

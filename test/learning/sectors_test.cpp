@@ -76,7 +76,7 @@ TEST(EvenSectors, NumberSectorsOverSeveralTurns) {
 }
 
 /// The sectors of the thesis, figure 3.6: 15, 45, 90 and 180 degrees to either side.
-MirroredSectors thesisSectors() { return MirroredSectors({toRadians(15.0), toRadians(45.0), toRadians(90.0), PI}); }
+MirroredSectors thesisSectors() { return MirroredSectors({15.0, 45.0, 90.0, 180.0}); }
 
 TEST(MirroredSectors, AreFinerInFront) {
   const MirroredSectors sectors = thesisSectors();
@@ -110,7 +110,7 @@ TEST(MirroredSectors, ReturnTheirLimits) {
 }
 
 TEST(MirroredSectors, CanBeOnlyLeftAndRight) {
-  const MirroredSectors sectors({PI});
+  const MirroredSectors sectors({180.0});
   EXPECT_EQ(sectors.count(), 2);
   EXPECT_EQ(sectors.indexOf(3.0), 0);
   EXPECT_EQ(sectors.indexOf(PI), 0);

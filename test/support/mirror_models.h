@@ -26,6 +26,9 @@ inline std::vector<Model> models() {
       modelOf("{type: condensed_occupancy}", "{type: kings_moves, stay: true}", thesis),
       modelOf("{type: anticipation}", "{type: goal_relative}", "{type: progress}"),
       modelOf("{type: anticipation}", "{type: kings_moves}", "{type: progress}"),
+      modelOf("{type: occupancy, obstacle_sectors: [15, 45, 90, 180]}", "{type: kings_moves}", thesis),
+      modelOf("{type: condensed_occupancy, sectors: 5, obstacle_sectors: [20, 70, 180]}", "{type: kings_moves}",
+              thesis),
   };
 }
 

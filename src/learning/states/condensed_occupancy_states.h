@@ -6,7 +6,6 @@
 #include "learning/states/occupancy_states.h"
 #include "learning/states/row_meaning.h"
 #include "learning/states/sector_states.h"
-#include "learning/states/sectors.h"
 
 namespace crowd {
 
@@ -14,8 +13,8 @@ namespace crowd {
 /// and not slices"): sector of the goal, whether anything is within the collision radius in any sector, and for every
 /// sector whether it is occupied within the radius of vision.
 ///
-/// With n sectors the state is G * 2 * 2^n + near * 2^n + code, where the code's binary digits are the sectors, sector
-/// 0 first as in (3.5); terminal n * 2 * 2^n.
+/// With g sectors of the goal and n of obstacles the state is G * 2 * 2^n + near * 2^n + code, where the code's binary
+/// digits are the sectors, sector 0 first as in (3.5); terminal g * 2 * 2^n.
 class CondensedOccupancyStates : public SectorStates, public ExplainedRows {
  public:
   static constexpr const char* TYPE = "condensed_occupancy";
@@ -33,20 +32,21 @@ class CondensedOccupancyStates : public SectorStates, public ExplainedRows {
   std::vector<OccupiedSector> occupiedSectors(const Perception& perception) const override {
     return occupancy_.occupiedSectors(perception);
   }
-  std::string spec() const override;
+  std::string spec() const override { return occupancy_.specOf(TYPE); }
   RowMeaning meaning() const override;
 
   /// @brief Returns the row of a situation of state set 2.
   Row rowOf(const OccupancyStates::Situation& situation) const;
-  Row terminal() const override { return 2 * codes_ * static_cast<Row>(sectors_.count()); }
+  Row terminal() const override { return 2 * codes_ * static_cast<Row>(occupancy_.goalSectors().count()); }
 
  private:
   /// The value of a sector's digit in the code of a row.
-  Row digitOf(int sector) const { return Row{1} << static_cast<unsigned>(sectors_.count() - 1 - sector); }
+  Row digitOf(int sector) const { return Row{1} << static_cast<unsigned>(sectors().count() - 1 - sector); }
+
+  const ObstacleSectors& sectors() const { return occupancy_.obstacleSectors(); }
 
   OccupancyStates occupancy_;
-  EvenSectors sectors_;
-  Row codes_;  // 2^sectors
+  Row codes_;  // 2^(sectors of obstacles)
 };
 
 /// @brief Reads a map of the keys of readOccupancyParameters(). @throws InputError

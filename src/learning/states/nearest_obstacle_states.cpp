@@ -3,32 +3,10 @@
 #include <limits>
 #include <utility>
 
-#include "common/text/numbers.h"
-
 namespace crowd {
 namespace {
 
 constexpr int MAX_GOAL_SECTORS = 64;
-
-std::vector<double> inRadians(std::vector<double> degrees) {
-  for (double& limit : degrees) limit = limit == 180.0 ? PI : toRadians(limit);
-  return degrees;
-}
-
-std::vector<double> readSectorLimits(const YamlMap& map, const std::vector<double>& otherwise) {
-  const YAML::Node node = map.find("obstacle_sectors");
-  if (!node) return otherwise;
-  const YamlPlace place = map.placeOf("obstacle_sectors");
-  const char* const expected = "a list of rising limits [degrees], the last one 180, such as [15, 45, 90, 180]";
-  if (!node.IsSequence() || node.size() == 0) throwExpected(place, node, expected);
-  std::vector<double> limits;
-  for (std::size_t i = 0; i < node.size(); ++i) {
-    limits.push_back(readNumber(node[i], place.element(i), NumberRule::POSITIVE));
-    if (i > 0 && limits[i] <= limits[i - 1]) throwExpected(place.element(i), node[i], expected);
-  }
-  if (limits.back() != 180.0) throwExpected(place, node, expected);
-  return limits;
-}
 
 /// Returns the distance to the nearest rim [m] and a point in its direction, agent frame.
 std::pair<double, Vector2> findNearest(const Perception& perception) {
@@ -48,9 +26,8 @@ std::pair<double, Vector2> findNearest(const Perception& perception) {
 
 NearestObstacleStates::NearestObstacleStates(const Parameters& parameters)
     : SectorStates(parameters.distances),
-      parameters_(parameters),
       goal_sectors_(parameters.goal_sectors),
-      obstacle_sectors_(inRadians(parameters.obstacle_sectors)) {}
+      obstacle_sectors_(parameters.obstacle_sectors) {}
 
 void NearestObstacleStates::findRows(const PerceptionBatch& batch, const MoveBlock* /*moves*/, Row* rows) const {
   for (const Perception& seen : batch) *rows++ = rowOf(describe(seen));
@@ -106,22 +83,14 @@ std::vector<OccupiedSector> NearestObstacleStates::occupiedSectors(const Percept
 }
 
 std::string NearestObstacleStates::spec() const {
-  std::string limits;
-  for (const double limit : parameters_.obstacle_sectors) limits += (limits.empty() ? "" : ", ") + toText(limit);
-  return std::string("{type: ") + TYPE + ", goal_sectors: " + std::to_string(parameters_.goal_sectors) +
-         ", obstacle_sectors: [" + limits + "]" + distancesSpec() + "}";
+  return std::string("{type: ") + TYPE + ", goal_sectors: " + std::to_string(goal_sectors_.count()) + ", " +
+         sectorLimitsSpec(obstacle_sectors_.degrees()) + distancesSpec() + "}";
 }
 
 RowMeaning NearestObstacleStates::meaning() const {
   RowQuantity obstacle{"nearest obstacle", {"none"}};
-  for (const char* const side : {"left ", "right "}) {
-    double inner = 0.0;
-    for (const double outer : parameters_.obstacle_sectors) {
-      for (const std::string& distance : namesOf(distances())) {
-        obstacle.classes.push_back(side + shortText(inner) + "-" + shortText(outer) + "°, " + distance);
-      }
-      inner = outer;
-    }
+  for (const std::string& sector : namesOf(obstacle_sectors_)) {
+    for (const std::string& distance : namesOf(distances())) obstacle.classes.push_back(sector + ", " + distance);
   }
   RowMeaning meaning{{{"goal", namesOf(goal_sectors_)}, std::move(obstacle)}, {}, true};
   for (Row row = 0; row < terminal(); ++row) {

@@ -47,7 +47,6 @@ class NearestObstacleStates : public SectorStates, public ExplainedRows {
   Row terminal() const override;  // (3.4)
 
  private:
-  Parameters parameters_;
   EvenSectors goal_sectors_;
   MirroredSectors obstacle_sectors_;
 };

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/text/numbers.h"
-
 namespace crowd {
 namespace {
 
@@ -14,17 +12,21 @@ constexpr double NO_DIRECTION = 1e-9;
 }  // namespace
 
 OccupancyStates::OccupancyStates(const Parameters& parameters)
-    : SectorStates(parameters.distances), sectors_(parameters.sectors), codes_(1) {
-  for (int i = 0; i < parameters.sectors; ++i) {
+    : SectorStates(parameters.distances),
+      goal_sectors_(parameters.sectors),
+      sectors_(parameters.sectors, parameters.obstacle_sectors),
+      codes_(1) {
+  for (int i = 0; i < sectors_.count(); ++i) {
     codes_ *= BASE;
-    const Vector2 limit = unitVector(sectors_.rightLimit(i));
+    const Vector2 limit = unitVector(sectors_.rightLimit(sectors_.sectorAt(i)));
     limit_xs_.at(static_cast<std::size_t>(i)) = limit.x();
     limit_ys_.at(static_cast<std::size_t>(i)) = limit.y();
   }
   for (SectorSet set = 0; set <= allSectors(); ++set) {
     Situation situation;
-    for (unsigned sector = 0; sector < MAX_SECTORS; ++sector) {
-      situation.distance_classes[sector] = static_cast<int>(set >> sector & 1U);
+    for (int i = 0; i < sectors_.count(); ++i) {
+      const auto sector = static_cast<std::size_t>(sectors_.sectorAt(i));
+      situation.distance_classes[sector] = static_cast<int>(set >> static_cast<unsigned>(i) & 1U);
     }
     set_codes_.push_back(rowOf(situation));
   }
@@ -42,7 +44,7 @@ Row OccupancyStates::rowOf(const Perception& perception) const {
     addNeighbour({neighbours.xs()[i], neighbours.ys()[i]}, neighbours.radii()[i], occupied);
   }
   for (const Segment& wall : perception.walls) addWall(wall, occupied);
-  Row row = codes_ * static_cast<Row>(sectors_.indexOf(bearingOf(perception.self.goal)));  // (3.5)
+  Row row = codes_ * static_cast<Row>(goal_sectors_.indexOf(bearingOf(perception.self.goal)));  // (3.5)
   Row distance_class = 0;
   SectorSet nearer = 0;
   for (const SectorSet set : occupied) {
@@ -57,7 +59,7 @@ OccupancyStates::Situation OccupancyStates::describe(const Perception& perceptio
 }
 
 OccupancyStates::SectorSet OccupancyStates::sectorsBeside(SectorSet limits) const {
-  // Limit i lies between sectors i - 1 and i.
+  // Limit i lies between the sectors at positions i - 1 and i.
   const auto last = static_cast<unsigned>(sectors_.count()) - 1U;
   return limits | limits >> 1U | (limits & 1U) << last;
 }
@@ -130,7 +132,7 @@ Row OccupancyStates::mirrored(Row row) const {
   if (row >= terminal()) return row;
   const Situation situation = situationOf(row);
   Situation mirrored;
-  mirrored.goal_sector = sectors_.mirrored(situation.goal_sector);
+  mirrored.goal_sector = goal_sectors_.mirrored(situation.goal_sector);
   for (int sector = 0; sector < sectors_.count(); ++sector) {
     const auto other_side = static_cast<std::size_t>(sectors_.mirrored(sector));
     mirrored.distance_classes[other_side] = situation.distance_classes[static_cast<std::size_t>(sector)];
@@ -150,17 +152,21 @@ std::vector<OccupiedSector> OccupancyStates::occupiedSectors(const Perception& p
   for (int sector = 0; sector < sectors_.count(); ++sector) {
     const int distance_class = situation.distance_classes[static_cast<std::size_t>(sector)];
     if (distance_class == 0) continue;
-    occupied.push_back({sectors_.rightLimit(sector), sectors_.rightLimit(sector + 1), distance_class});
+    occupied.push_back({sectors_.rightLimit(sector), sectors_.leftLimit(sector), distance_class});
   }
   return occupied;
 }
 
-std::string OccupancyStates::spec() const {
-  return std::string("{type: ") + TYPE + ", sectors: " + std::to_string(sectors_.count()) + distancesSpec() + "}";
+std::string OccupancyStates::spec() const { return specOf(TYPE); }
+
+std::string OccupancyStates::specOf(const char* type) const {
+  const MirroredSectors* const limited = sectors_.byLimits();
+  return std::string("{type: ") + type + ", sectors: " + std::to_string(goal_sectors_.count()) +
+         (limited != nullptr ? ", " + sectorLimitsSpec(limited->degrees()) : "") + distancesSpec() + "}";
 }
 
 RowMeaning OccupancyStates::meaning() const {
-  RowMeaning meaning{{{"goal", namesOf(sectors_)}}, {}, true};
+  RowMeaning meaning{{{"goal", namesOf(goal_sectors_)}}, {}, true};
   std::vector<std::string> classes = namesOf(distances());
   classes.insert(classes.begin(), "empty");
   for (const std::string& sector : namesOf(sectors_)) meaning.quantities.push_back({"body " + sector, classes});
@@ -168,9 +174,15 @@ RowMeaning OccupancyStates::meaning() const {
 }
 
 OccupancyStates::Parameters readOccupancyParameters(YamlMap& map) {
-  map.allow({"type", "sectors", "collision_radius", "vision_radius"});
+  map.allow({"type", "sectors", "obstacle_sectors", "collision_radius", "vision_radius"});
   OccupancyStates::Parameters parameters;
   parameters.sectors = static_cast<int>(map.whole("sectors", 2, OccupancyStates::MAX_SECTORS, parameters.sectors));
+  parameters.obstacle_sectors = readSectorLimits(map, {});
+  constexpr std::size_t MOST = OccupancyStates::MAX_SECTORS / 2;
+  if (parameters.obstacle_sectors.size() > MOST) {
+    throwExpected(map.placeOf("obstacle_sectors"), map.find("obstacle_sectors"),
+                  "at most " + std::to_string(MOST) + " limits");
+  }
   parameters.distances = readDistanceClasses(map);
   return parameters;
 }

@@ -2,11 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "learning/states/obstacle_sectors.h"
 #include "learning/states/row_meaning.h"
 #include "learning/states/sector_states.h"
-#include "learning/states/sectors.h"
 
 namespace crowd {
 
@@ -27,7 +28,8 @@ class OccupancyStates : public SectorStates, public ExplainedRows {
   static constexpr int MAX_SECTORS = 12;  // a table of 3^12 * 12 rows is the largest practical one
 
   struct Parameters {
-    int sectors = 8;  ///< of the goal and of the obstacles
+    int sectors = 8;                       ///< equal ones of the goal, and of the obstacles without obstacle_sectors
+    std::vector<double> obstacle_sectors;  ///< outer limits on each side [degrees], as NearestObstacleStates has them
     DistanceClasses distances;
   };
 
@@ -54,12 +56,16 @@ class OccupancyStates : public SectorStates, public ExplainedRows {
   Row rowOf(const Perception& perception) const;
   /// @brief Inverse of rowOf(). @param row not the terminal row
   Situation situationOf(Row row) const;
-  Row terminal() const override { return codes_ * static_cast<Row>(sectors_.count()); }
+  Row terminal() const override { return codes_ * static_cast<Row>(goal_sectors_.count()); }
+  const EvenSectors& goalSectors() const { return goal_sectors_; }
+  const ObstacleSectors& obstacleSectors() const { return sectors_; }
+  /// @brief Returns spec() with another type.
+  std::string specOf(const char* type) const;
 
  private:
   static constexpr int BASE = DistanceClasses::COUNT + 1;
 
-  /// A set of sectors, or of their right limits: bit 0 is sector 0.
+  /// A set of sectors, or of their right limits; bit p is the sector at position p.
   using SectorSet = std::uint32_t;
   /// The occupied sectors of each distance class; index 0 is class 1.
   using Occupied = std::array<SectorSet, DistanceClasses::COUNT>;
@@ -68,7 +74,7 @@ class OccupancyStates : public SectorStates, public ExplainedRows {
   /// Returns the sectors on both sides of the limits.
   SectorSet sectorsBeside(SectorSet limits) const;
   SectorSet sectorOf(const Vector2& point) const {
-    return 1U << static_cast<unsigned>(sectors_.indexOf(bearingOf(point)));
+    return 1U << static_cast<unsigned>(sectors_.positionOf(bearingOf(point)));
   }
   /// Returns the limiting vectors of a length [m] that a body intersects.
   SectorSet limitsCut(const Vector2& centre, double radius, double length) const;
@@ -79,14 +85,16 @@ class OccupancyStates : public SectorStates, public ExplainedRows {
   void addNeighbour(const Vector2& centre, double radius, Occupied& occupied) const;
   void addWall(const Segment& wall, Occupied& occupied) const;
 
-  EvenSectors sectors_;
-  std::array<double, MAX_SECTORS> limit_xs_{};  // unit vectors of the right limit of each sector
+  EvenSectors goal_sectors_;
+  ObstacleSectors sectors_;
+  std::array<double, MAX_SECTORS> limit_xs_{};  // unit vectors of the right limit of each sector, by position
   std::array<double, MAX_SECTORS> limit_ys_{};
-  Row codes_;                   // 3^sectors
+  Row codes_;                   // 3^(sectors of obstacles)
   std::vector<Row> set_codes_;  // code of each set of sectors, with class 1 in its sectors and 0 elsewhere
 };
 
-/// @brief Reads the keys sectors, collision_radius and vision_radius, all optional. @throws InputError
+/// @brief Reads the keys sectors, obstacle_sectors, collision_radius and vision_radius, all optional. @throws
+/// InputError
 OccupancyStates::Parameters readOccupancyParameters(YamlMap& map);
 
 /// @brief Reads a map of these keys. @throws InputError

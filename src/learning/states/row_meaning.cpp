@@ -47,6 +47,22 @@ std::vector<std::string> namesOf(const EvenSectors& sectors) {
   return names;
 }
 
+std::vector<std::string> namesOf(const MirroredSectors& sectors) {
+  std::vector<std::string> names;
+  for (const char* const side : {"left ", "right "}) {
+    double inner = 0.0;
+    for (const double outer : sectors.degrees()) {
+      names.push_back(side + shortText(inner) + "-" + shortText(outer) + "°");
+      inner = outer;
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> namesOf(const ObstacleSectors& sectors) {
+  return sectors.byLimits() != nullptr ? namesOf(*sectors.byLimits()) : namesOf(sectors.even());
+}
+
 std::vector<std::string> namesOf(const DistanceClasses& distances) {
   return {"up to " + shortText(distances.collision_radius) + " m",
           "up to " + shortText(distances.vision_radius) + " m"};

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "learning/states/distance_classes.h"
-#include "learning/states/sectors.h"
+#include "learning/states/obstacle_sectors.h"
 
 namespace crowd {
 
@@ -37,6 +37,9 @@ class ExplainedRows {
 std::string shortText(double number);
 /// @brief Names of sectors: directions if there are eight, else the angles of their middles.
 std::vector<std::string> namesOf(const EvenSectors& sectors);
+/// @brief Names of sectors: side and limits, such as "left 0-15°".
+std::vector<std::string> namesOf(const MirroredSectors& sectors);
+std::vector<std::string> namesOf(const ObstacleSectors& sectors);
 /// @brief Names of the distance classes 1, 2: "up to 0.5 m".
 std::vector<std::string> namesOf(const DistanceClasses& distances);
 /// @brief Names of the classes between limits, such as "< 1 s", "1-2 s", "≥ 2 s". @param unit with a blank before it,

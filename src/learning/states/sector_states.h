@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "learning/states/distance_classes.h"
@@ -31,6 +32,13 @@ class SectorStates : public StateSet, public RowDistanceClasses, public SectorPi
  private:
   DistanceClasses distances_;
 };
+
+/// @brief Returns limits of sectors [degrees] as the key and value that readSectorLimits() reads.
+std::string sectorLimitsSpec(const std::vector<double>& degrees);
+
+/// @brief Reads the optional key obstacle_sectors, the outer limits of sectors on each side [degrees].
+/// @throws InputError
+std::vector<double> readSectorLimits(const YamlMap& map, const std::vector<double>& otherwise);
 
 /// @brief Reads the keys collision_radius and vision_radius, both optional. @throws InputError
 DistanceClasses readDistanceClasses(const YamlMap& map);

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace crowd {
 
-int MirroredSectors::indexOf(double angle) const {
+MirroredSectors::MirroredSectors(std::vector<double> limits) : degrees_(std::move(limits)) {
+  for (const double limit : degrees_) limits_.push_back(limit == 180.0 ? PI : toRadians(limit));
+}
+
+int MirroredSectors::positionOf(double angle) const {
   const auto beyond = std::upper_bound(limits_.begin(), limits_.end() - 1, std::abs(angle));
   const auto side_index = static_cast<int>(beyond - limits_.begin());
-  return angle < 0.0 ? side_index + static_cast<int>(limits_.size()) : side_index;
+  return angle < 0.0 ? count() - 1 - side_index : side_index;
 }
 
 double MirroredSectors::rightLimit(int index) const {

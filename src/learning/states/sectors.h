@@ -43,17 +43,24 @@ class EvenSectors {
 /// the rear one of both sectors; straight ahead belongs to the left.
 class MirroredSectors {
  public:
-  /// @param limits outer limits of the sectors of one side [rad], ascending, the last one pi
-  explicit MirroredSectors(std::vector<double> limits) : limits_(std::move(limits)) {}
+  /// @param limits outer limits of the sectors of one side [degrees], ascending, the last one 180
+  explicit MirroredSectors(std::vector<double> limits);
 
   int count() const { return 2 * static_cast<int>(limits_.size()); }
   /// @brief Returns the sector of an angle in [-pi, pi] [rad].
-  int indexOf(double angle) const;
+  int indexOf(double angle) const { return sectorAt(positionOf(angle)); }
+  /// @brief Returns the position of that sector if sectors are counted counterclockwise, from the first one on the
+  /// left.
+  int positionOf(double angle) const;
+  /// @brief Returns the sector at a position. The sector at position 0 is 0, that at the last position is n.
+  int sectorAt(int position) const { return position < count() / 2 ? position : 3 * count() / 2 - 1 - position; }
   /// @brief Returns the mirror image of a sector.
   int mirrored(int index) const { return (index + count() / 2) % count(); }
   /// @brief Return the right and the left limit of a sector [rad].
   double rightLimit(int index) const;
   double leftLimit(int index) const;
+  /// @brief Outer limits of the sectors of one side [degrees].
+  const std::vector<double>& degrees() const { return degrees_; }
 
  private:
   double inner(int side_index) const {
@@ -61,7 +68,8 @@ class MirroredSectors {
   }
   double outer(int side_index) const { return limits_[static_cast<std::size_t>(side_index)]; }
 
-  std::vector<double> limits_;
+  std::vector<double> degrees_;
+  std::vector<double> limits_;  // [rad]
 };
 
 }  // namespace crowd
