@@ -59,6 +59,7 @@ def choices_in(key):
 
 CHOICES, CROWD_CHOICES = map(choices_in, ('choices', 'crowd_choices'))
 VARIATIONS = {**DECLARED['variations'], **CHOICES, **CROWD_CHOICES}
+NAMED_CHOICES = {'choices': CHOICES, 'crowd_choices': CROWD_CHOICES}
 LISTED = {'all': [*READINGS, BETTER], 'readings': list(READINGS)}  # values of keys of runs, by their names
 
 
@@ -146,13 +147,19 @@ def commands_of(setting, declared, keys):
             yield from commands_of(setting, declared['run'], {**keys, **more})
 
 
+def values_of(setting, listed):
+    """Returns the values of a key of runs. '0 10 100|0 5' stands for 0, 10 and 100, with --quick for 0 and 5; a list is
+    taken as it is."""
+    if not isinstance(listed, str):
+        return listed
+    if listed in NAMED_CHOICES:
+        return choices_of(setting, NAMED_CHOICES[listed])
+    return LISTED.get(listed) or list(map(int, setting.count(*listed.split('|')).split()))
+
+
 def combinations(setting, each):
-    """Yields all combinations of values by their keys. '0 10 100|0 5' stands for 0, 10 and 100, with --quick for 0 and
-    5; another list is taken as it is."""
-    values = [choices_of(setting) if listed == 'choices' else
-              choices_of(setting, CROWD_CHOICES) if listed == 'crowd_choices' else LISTED[listed] if listed in LISTED else
-              list(map(int, setting.count(*listed.split('|')).split())) if isinstance(listed, str) else listed
-              for listed in each.values()]
+    """Yields all combinations of values by their keys."""
+    values = [values_of(setting, listed) for listed in each.values()]
     return (dict(zip(each, chosen_ones)) for chosen_ones in itertools.product(*values))
 
 
