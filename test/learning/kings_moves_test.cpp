@@ -89,6 +89,19 @@ TEST(KingsMoves, WriteStayingInTheirSpec) {
   EXPECT_TRUE(contains(errorIn("{type: kings_moves, stay: often}"), "action_set.stay: expected"));
 }
 
+TEST(KingsMoves, TurnToMultiplesInTheMapWithAbsoluteDirections) {
+  const auto moves = make("{type: kings_moves, stay: true, directions: absolute}");
+  EXPECT_EQ(moves->spec(), "{type: kings_moves, rotations: 8, stay: true, directions: absolute}");
+  EXPECT_FALSE(moves->hasConstantMoves());
+  const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {3.0, 0.0}).heading(30.0);
+  EXPECT_NEAR(toDegrees(relativeAction(*moves, scene.perception(), 0).rotation), -30.0, 1e-9);
+  EXPECT_NEAR(toDegrees(relativeAction(*moves, scene.perception(), 2).rotation), 60.0, 1e-9);
+  EXPECT_EQ(relativeAction(*moves, scene.perception(), 8).rotation, 0.0);  // stays, without turning
+  EXPECT_EQ(relativeAction(*moves, scene.perception(), 8).speed_fraction, 0.0);
+  EXPECT_EQ(make("{type: kings_moves, directions: relative}")->spec(), "{type: kings_moves, rotations: 8}");
+  EXPECT_TRUE(contains(errorIn("{type: kings_moves, directions: left}"), "expected relative or absolute, got 'left'"));
+}
+
 TEST(KingsMoves, ReadBackTheirSpec) {
   EXPECT_EQ(make("{type: kings_moves}")->spec(), "{type: kings_moves, rotations: 8}");
   EXPECT_EQ(make("{rotations: 16, type: kings_moves}")->spec(), "{type: kings_moves, rotations: 16}");

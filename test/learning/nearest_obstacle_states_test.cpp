@@ -192,6 +192,20 @@ TEST(NearestObstacleStates, ReturnsTheOccupiedSectorForPictures) {
   EXPECT_EQ(occupied[0].distance_class, 2);
 }
 
+TEST(NearestObstacleStates, CanBeRelativeToTheMap) {
+  NearestObstacleStates::Parameters parameters;
+  parameters.directions = Directions::ABSOLUTE;
+  const NearestObstacleStates states(parameters);
+  // The goal is ahead, which is 90 degrees in the map; the obstacle is at 90 + 170 = 260 degrees, which is -100.
+  const PerceptionsBuilder scene = agentAlone().heading(90.0).neighbour(polar(170.0, 0.8), 0.1);
+  EXPECT_EQ(states.describe(scene.perception()).goal_sector, 2);
+  EXPECT_EQ(states.describe(scene.perception()).obstacle_sector, 7);  // -180 to -90 degrees
+  const auto occupied = states.occupiedSectors(scene.perception());   // in the agent's frame
+  EXPECT_NEAR(occupied.at(0).from, toRadians(-180.0 - 90.0), 1e-9);
+  EXPECT_NEAR(occupied.at(0).to, toRadians(-90.0 - 90.0), 1e-9);
+  EXPECT_TRUE(contains(states.spec(), "vision_radius: 1, directions: absolute}"));
+}
+
 TEST(NearestObstacleStates, UsesItsParameters) {
   NearestObstacleStates::Parameters parameters;
   parameters.goal_sectors = 4;

@@ -38,6 +38,12 @@ class PerceptionsBuilder {
     return *this;
   }
 
+  /// @brief Sets the heading of the agent [degrees, `map`].
+  PerceptionsBuilder& heading(double degrees) {
+    all_.agents.back().pose.heading = toRadians(degrees);
+    return *this;
+  }
+
   /// @brief Velocity of the agent in the last tick, agent frame [m/s].
   PerceptionsBuilder& walking(const Vector2& velocity) {
     all_.agents.back().velocity = velocity;

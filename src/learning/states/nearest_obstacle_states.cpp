@@ -27,7 +27,12 @@ std::pair<double, Vector2> findNearest(const Perception& perception) {
 NearestObstacleStates::NearestObstacleStates(const Parameters& parameters)
     : SectorStates(parameters.distances),
       goal_sectors_(parameters.goal_sectors),
-      obstacle_sectors_(parameters.obstacle_sectors) {}
+      obstacle_sectors_(parameters.obstacle_sectors),
+      directions_(parameters.directions) {}
+
+double NearestObstacleStates::turnOf(const Perception& perception) const {
+  return directions_ == Directions::ABSOLUTE ? perception.self.pose.heading : 0.0;
+}
 
 void NearestObstacleStates::findRows(const PerceptionBatch& batch, const MoveBlock* /*moves*/, Row* rows) const {
   for (const Perception& seen : batch) *rows++ = rowOf(describe(seen));
@@ -35,10 +40,13 @@ void NearestObstacleStates::findRows(const PerceptionBatch& batch, const MoveBlo
 
 NearestObstacleStates::Situation NearestObstacleStates::describe(const Perception& perception) const {
   Situation situation;
-  situation.goal_sector = goal_sectors_.indexOf(bearingOf(perception.self.goal));
+  situation.goal_sector = goal_sectors_.indexOf(bearingOf(perception.self.goal) + turnOf(perception));
   const auto [distance, where] = findNearest(perception);
   situation.distance_class = distances().classOf(distance);
-  if (situation.distance_class > 0) situation.obstacle_sector = obstacle_sectors_.indexOf(bearingOf(where));
+  if (situation.distance_class == 0) return situation;
+  const double bearing = bearingOf(where);
+  const double turn = turnOf(perception);
+  situation.obstacle_sector = obstacle_sectors_.indexOf(turn == 0.0 ? bearing : wrapAngle(bearing + turn));
   return situation;
 }
 
@@ -78,13 +86,15 @@ std::vector<int> NearestObstacleStates::distanceClasses(Row row) const {
 std::vector<OccupiedSector> NearestObstacleStates::occupiedSectors(const Perception& perception) const {
   const Situation situation = describe(perception);
   if (situation.distance_class == 0) return {};
-  return {{obstacle_sectors_.rightLimit(situation.obstacle_sector),
-           obstacle_sectors_.leftLimit(situation.obstacle_sector), situation.distance_class}};
+  const double turn = turnOf(perception);
+  return {{obstacle_sectors_.rightLimit(situation.obstacle_sector) - turn,
+           obstacle_sectors_.leftLimit(situation.obstacle_sector) - turn, situation.distance_class}};
 }
 
 std::string NearestObstacleStates::spec() const {
   return std::string("{type: ") + TYPE + ", goal_sectors: " + std::to_string(goal_sectors_.count()) + ", " +
-         sectorLimitsSpec(obstacle_sectors_.degrees()) + distancesSpec() + "}";
+         sectorLimitsSpec(obstacle_sectors_.degrees()) + distancesSpec() +
+         (directions_ == Directions::ABSOLUTE ? ", directions: absolute}" : "}");
 }
 
 RowMeaning NearestObstacleStates::meaning() const {
@@ -102,11 +112,12 @@ RowMeaning NearestObstacleStates::meaning() const {
 }
 
 std::shared_ptr<const StateSet> readNearestObstacleStates(YamlMap& map, const ActionSet& /*action_set*/) {
-  map.allow({"type", "goal_sectors", "obstacle_sectors", "collision_radius", "vision_radius"});
+  map.allow({"type", "goal_sectors", "obstacle_sectors", "collision_radius", "vision_radius", "directions"});
   NearestObstacleStates::Parameters parameters;
   parameters.goal_sectors = static_cast<int>(map.whole("goal_sectors", 1, MAX_GOAL_SECTORS, parameters.goal_sectors));
   parameters.obstacle_sectors = readSectorLimits(map, parameters.obstacle_sectors);
   parameters.distances = readDistanceClasses(map);
+  parameters.directions = DIRECTIONS.read(map, parameters.directions);
   return std::make_shared<NearestObstacleStates>(parameters);
 }
 

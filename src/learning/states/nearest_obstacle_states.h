@@ -1,5 +1,6 @@
 #pragma once
 
+#include "learning/directions.h"
 #include "learning/states/row_meaning.h"
 #include "learning/states/sector_states.h"
 #include "learning/states/sectors.h"
@@ -19,6 +20,7 @@ class NearestObstacleStates : public SectorStates, public ExplainedRows {
     int goal_sectors = 8;
     std::vector<double> obstacle_sectors = {15, 45, 90, 180};  ///< outer limits to either side [degrees] (fig. 3.6)
     DistanceClasses distances;
+    Directions directions = Directions::RELATIVE;
   };
 
   /// @brief The contents of a state.
@@ -47,8 +49,12 @@ class NearestObstacleStates : public SectorStates, public ExplainedRows {
   Row terminal() const override;  // (3.4)
 
  private:
+  /// Returns what is added to bearings before they are sorted into sectors [rad].
+  double turnOf(const Perception& perception) const;
+
   EvenSectors goal_sectors_;
   MirroredSectors obstacle_sectors_;
+  Directions directions_;
 };
 
 /// @brief Reads a map {goal_sectors, obstacle_sectors, collision_radius, vision_radius}, all optional.
