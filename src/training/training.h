@@ -64,8 +64,8 @@ class Training {
   std::size_t learners() const { return decisions_.size(); }
   /// @brief The learner; with several side by side, the first one of this rank.
   const Learner& learner() const { return learners_.front(); }
-  /// @brief The table learned so far; with own tables, that of agent 0, the pioneer. Its number of decisions is that of
-  /// all learners on rank 0.
+  /// @brief The table learned so far; with own tables, that of agent 0. Its number of decisions is that of all
+  /// learners on rank 0.
   TrainedTable trained() const;
   /// @brief Times of the turns so far. Collective; on rank 0, of all ranks.
   TurnsReport report() const;

@@ -75,7 +75,7 @@ TEST(EvenSectors, NumberSectorsOverSeveralTurns) {
   EXPECT_EQ(sectors.wrap(-17), 7);
 }
 
-/// The sectors of the thesis, figure 3.6: 15, 45, 90 and 180 degrees to either side.
+/// Sectors like those of figure 3.6 of the thesis, narrower in front: 15, 45, 90 and 180 degrees to either side.
 MirroredSectors thesisSectors() { return MirroredSectors({15.0, 45.0, 90.0, 180.0}); }
 
 TEST(MirroredSectors, AreFinerInFront) {

@@ -99,7 +99,7 @@ TEST(ShippedScenarios, BeginWithoutOverlapInEveryEpisode) {
   }
 }
 
-TEST(ShippedScenarios, UseSpeedsRadiiAndDurationsOfTheThesis) {
+TEST(ShippedScenarios, InThesisUnitsHaveItsDurationAndSpeeds) {
   for (const fs::path& file : thesisFiles()) {
     SCOPED_TRACE(file.string());
     const Scene scene = readScenarios(file.string()).scene(1, 0);

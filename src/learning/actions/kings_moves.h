@@ -8,8 +8,9 @@
 namespace crowd {
 
 /// @brief The action set of the thesis (3.2.2.2): turn by a multiple of 360 degrees / rotations and walk at full speed.
-/// With the thesis's 8 rotations these are a chess king's moves: 0, 45, ... 315 degrees. Optionally, the last action is
-/// to stay (thesis 5.2): neither turn nor move. With absolute directions the agent turns to that multiple in `map`.
+/// With the thesis's 8 rotations these are a chess king's moves: 0, 45, ... 315 degrees, in an order of our choice.
+/// Optionally, the last action is to stay (thesis 5.2): neither turn nor move. With absolute directions the agent turns
+/// to that multiple in `map`.
 class KingsMoves : public ActionSet {
  public:
   static constexpr const char* TYPE = "kings_moves";

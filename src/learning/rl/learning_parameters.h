@@ -16,7 +16,8 @@ enum class Ties { FIRST, RANDOM };
 
 inline constexpr EnumNames<Ties, 2> TIES{"ties", {"first", "random"}};
 
-/// @brief Parameters of Q-learning (3.1). The defaults are the thesis's.
+/// @brief Parameters of Q-learning (3.1). The defaults of alpha, gamma and lambda are the thesis's (3.2.1);
+/// it prints no epsilon.
 struct LearningParameters {
   static constexpr NumberRange ALPHA{0.0, 1.0, "", true, false};
   static constexpr NumberRange GAMMA{0.0, 1.0, "", false, true};

@@ -9,8 +9,8 @@
 
 namespace crowd {
 
-/// @brief Q-learning of one agent (thesis 3.1; Watkins 1989), with Watkins's eligibility traces, on a Q-table that it
-/// may share with other agents. Independent of perceptions.
+/// @brief Q-learning of one agent (thesis, (3.1); Watkins 1989), with Watkins's eligibility traces, on a Q-table that
+/// it may share with other agents. Independent of perceptions.
 ///
 /// Call contract: choose an action for the rows of the state, call recordDecision(), carry the action out, then call
 /// learn() with the reward and the rows of the next state, or learnTerminal(). Not thread-safe, also with respect to

@@ -18,7 +18,7 @@ class NearestObstacleStates : public SectorStates, public ExplainedRows {
 
   struct Parameters {
     int goal_sectors = 8;
-    std::vector<double> obstacle_sectors = {15, 45, 90, 180};  ///< outer limits to either side [degrees] (fig. 3.6)
+    std::vector<double> obstacle_sectors = {15, 45, 90, 180};  ///< outer limits to either side [degrees]
     DistanceClasses distances;
     Directions directions = Directions::RELATIVE;
   };

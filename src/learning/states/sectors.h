@@ -36,7 +36,7 @@ class EvenSectors {
   double width_;
 };
 
-/// @brief Sectors that are symmetric about the heading and may differ in width, such as finer in front (thesis
+/// @brief Sectors that are symmetric about the heading and may differ in width, such as narrower in front (thesis,
 /// fig. 3.6).
 ///
 /// Sectors 0 .. n-1 lie on the left from front to back, n .. 2n-1 on the right. An angle exactly on a limit belongs to
