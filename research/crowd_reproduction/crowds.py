@@ -16,11 +16,13 @@ SCENARIOS = {
     'line6_mover': 'six agents side by side, all paths cross, with a moving obstacle',
     'same_goal6': 'six agents with one goal', 'same_goal6_mover': 'six agents with one goal, with a moving obstacle',
     'circle12': 'twelve agents on a circle', 'circle12_varied': 'twelve agents on a circle, at varied speeds'}
-WATCHED = ('circle12', 'circle12_varied')  # every decision is recorded
+OBSTRUCTED = 'circle12_varied_obstacle'  # 4.25 with an obstacle in the middle
+WATCHED = ('circle12', 'circle12_varied', OBSTRUCTED)  # every decision is recorded
 EXACT = ('circle12_exact', 'circle12_exact_simultaneous')
 FREE, CROSSED = 'same_goal6_far', 'same_goal6_mover_far'
 APART = 'line6'  # agents with the same starts as in these, but different goals
-RECORDS = {'dummies_wide': 'wide.csv', **dict.fromkeys(EXACT, 'exact.csv')}  # of the others: demo.csv
+# Of the others: demo.csv.
+RECORDS = {'dummies_wide': 'wide.csv', OBSTRUCTED: 'obstacle.csv', **dict.fromkeys(EXACT, 'exact.csv')}
 OBSTACLE_RADIUS, VISION = 0.4, 1.0  # [m]
 REACH = OBSTACLE_RADIUS + VISION  # [m] within this distance an agent perceives the rim
 TIMES = ('before the passage', 'during the passage', 'after the passage', 'at the first arrival')
@@ -99,13 +101,26 @@ def last_metre(runs, scenario):
 def surrounded(runs, scenario, instances=numpy.inf):
     """Returns a Surrounded for each seed, from the first recorded instances."""
     found = []
-    record = runs.record('demo.csv', scenario)
+    record = runs.record(record_file(scenario), scenario)
     arrivals = record[record['arrived'] > 0]
     for seed in runs.seeds():
         decisions, there = runs.decisions(seed, scenario), arrivals[arrivals['seed'] == seed]
         found.append(measures.surrounded(decisions[decisions['instance'] < instances],
                                          set(zip(there['episode'], there['agent'])), LEAST_SECTORS, SOON))
     return found
+
+
+def middle_spreads(runs, scenario):
+    """Returns the standard deviation of the times at which the agents reach the middle [s], the mean of the recorded
+    instances, for each seed."""
+    return [0.1 * numpy.mean([numpy.nanstd(measures.first_ticks(places, (0.0, 0.0), VISION), ddof=1)
+                              for places in runs.tracks(seed, f'{scenario}.csv').values()]) for seed in runs.seeds()]
+
+
+def hidden_shares(runs, scenario):
+    """Returns the share [%] of the bodies within the radius of vision that are wholly hidden, for each seed."""
+    return [numpy.mean([measures.hidden_share(places[::10], measures.RADIUS, VISION)
+                        for places in runs.tracks(seed, f'{scenario}.csv').values()]) for seed in runs.seeds()]
 
 
 def by_visits(runs, scenario, least_sectors):
@@ -188,7 +203,7 @@ def add_figures(chapter, setting):
         add_rows(chapter, setting, scenario, f'figure_{number}_{scenario}', 'moments', first_success, rates_sentence,
                  number=number.replace('_', '.'), title=SCENARIOS[scenario])
     add_rows(chapter, setting, 'circle12', 'figure_4_24_best', 'best', best_of, outcome_sentence)
-    add_rows(chapter, setting, 'circle12_varied', 'figure_4_25_worst', 'worst', worst_of, worst_sentence)
+    add_rows(chapter, setting, OBSTRUCTED, 'figure_4_25_worst', 'worst', worst_of, worst_sentence)
 
 
 def first_success(runs, scenario):

@@ -53,6 +53,41 @@ def passing(places, obstacle, reach):
     return (int(near[0]), int(near[-1])) if len(near) else None
 
 
+def first_ticks(places, centre, reach):
+    """Returns the first tick at which each agent's centre is within reach [m] of a point; nan for those never there."""
+    offsets = places - numpy.asarray(centre)
+    near = numpy.hypot(offsets[..., 0], offsets[..., 1]) <= reach
+    return numpy.where(near.any(axis=0), near.argmax(axis=0), numpy.nan)
+
+
+def hidden_share(places, radius, vision):
+    """Returns the share [%] of the bodies within an agent's vision (rim to centre [m]) that nearer ones hide wholly,
+    of all agents and ticks; bodies have the same radius [m]."""
+    seen = hidden = 0
+    for line in places:
+        there = line[numpy.isfinite(line[:, 0])]
+        for agent, place in enumerate(there):
+            offsets = numpy.delete(there, agent, axis=0) - place
+            distances = numpy.hypot(offsets[:, 0], offsets[:, 1])
+            near = numpy.argsort(distances)[:numpy.count_nonzero(distances - radius <= vision)]
+            halves = numpy.arcsin(numpy.minimum(1.0, radius / numpy.maximum(distances[near], radius)))
+            bearings = numpy.arctan2(offsets[near, 1], offsets[near, 0])
+            seen += len(near)
+            hidden += sum(is_hidden(bearings[i], halves[i], bearings[:i], halves[:i]) for i in range(1, len(near)))
+    return share(hidden, seen)
+
+
+def is_hidden(bearing, half, others, halves):
+    """Returns whether the angles from bearing - half to bearing + half are covered by those of the others [rad]."""
+    middles = (others - bearing + numpy.pi) % (2 * numpy.pi) - numpy.pi
+    reached = -half
+    for begin, end in sorted(zip(middles - halves, middles + halves)):
+        if begin > reached:
+            break
+        reached = max(reached, end)
+    return bool(reached >= half)
+
+
 def crossing(walk, x):
     """Returns the y at which a path (tick, 2) last crosses the line at x to the right [m]; None if it does not."""
     crossed = numpy.flatnonzero((walk[:-1, 0] < x) & (walk[1:, 0] >= x))

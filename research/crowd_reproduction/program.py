@@ -7,8 +7,9 @@ from .experiments import (ambiguity, crowd_sensitivity, future_work, learning_cu
 from .results import TEXTS, plan
 
 REPORTS = {  # of the experiments, in the order of the thesis
-    'reward_evaluation': reward_evaluation.report, 'sensitivity': sensitivity.report, 'crowd_sensitivity': crowd_sensitivity.report, 'ambiguity': ambiguity.report,
-    'scenarios': scenarios.report, 'sharing': sharing.report, 'learning_curves': learning_curves.report,
+    'reward_evaluation': reward_evaluation.report, 'sensitivity': sensitivity.report,
+    'crowd_sensitivity': crowd_sensitivity.report, 'ambiguity': ambiguity.report, 'scenarios': scenarios.report,
+    'sharing': sharing.report, 'learning_curves': learning_curves.report,
     'future_work': future_work.report, 'claims': claims.report}
 main = Program(
     name='reproduce', title='Reproduction of the thesis',

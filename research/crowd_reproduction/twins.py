@@ -3,7 +3,7 @@ import numpy
 import pandas
 from crowd_experiments.records import Spread, percent
 
-from .claim import Judgement, NOT_CONFIRMED, VERDICTS, best_of, compared, decide_all, graded, joined, number_text
+from .claim import Judgement, NOT_CONFIRMED, VERDICTS, compared, decide_all, graded, joined, number_text
 from .measures import crossing
 from .results import BETTER, Runs, SETS, THESIS
 
@@ -69,18 +69,13 @@ def two_confuse(setting):
 
 
 def handles(setting, test):
-    """Judges whether set 2 handles a test, which means that it arrives without a collision."""
+    """Judges whether set 2 handles a test, which means that it arrives without a collision. The same training counts
+    in all tests: that of 4.1, because 4.3 fills the states with several obstacles only afterwards."""
     values = {name: Agent(setting, training, 'occupancy').clean_shares(test) for training, name in TRAININGS.items()}
     text = '; '.join(f'{name}: {Spread(of_seeds).text(1)} %' for name, of_seeds in values.items())
     better = Spread(Agent(setting, 'field', 'occupancy', BETTER).clean_shares(test)).text(1)
     return Judgement(f'arrives without a collision, {text}; better parameters, {TRAININGS["field"]}: {better} %',
-                     best_of(map(graded, values.values())), best_number(values))
-
-
-def best_number(values):
-    """Returns the name and the number of the best training, given rates of the seeds by its name."""
-    name = max(values, key=lambda name: numpy.mean(values[name]))
-    return f'{name}: {number_text(values[name])}'
+                     graded(values[TRAININGS['single']]), number_text(values[TRAININGS['single']]))
 
 
 def second_set_is_better(setting):
@@ -95,13 +90,15 @@ def squeezes(setting):
     found = {name: Agent(setting, training, 'occupancy').passages() for training, name in TRAININGS.items()}
     texts = [f'{name}: between {Spread(between).text(1)} %, around {Spread(around).text(1)} %'
              for name, (between, around) in found.items()]
-    return Judgement(f'episodes of test d in which the agent passes: {"; ".join(texts)}',
-                     best_of(graded(between) for between, _ in found.values()),
-                     best_number({name: between for name, (between, _) in found.items()}))
+    between = found[TRAININGS['single']][0]
+    clean = Agent(setting, 'single', 'occupancy').clean_shares('twins_d')
+    return Judgement(f'episodes of test d in which the agent passes: {"; ".join(texts)}; {TRAININGS["single"]}, it '
+                     f'arrives without a collision in {Spread(clean).text(1)} %',
+                     decide_all(graded(between), graded(clean)), f'between {number_text(between)}')
 
 
 def takes_longer(setting):
-    texts, verdicts, numbers = [], [], []
+    texts, judged = [], Judgement('', NOT_CONFIRMED)
     for training, name in TRAININGS.items():
         agent = Agent(setting, training, 'occupancy')
         *others, tight = (agent.runs.arrivals(agent.file, 'ticks', test) for test in TESTS)
@@ -109,9 +106,7 @@ def takes_longer(setting):
         if pairs:
             found = compared(f'{name}: ', 'd', next(zip(*pairs)), 'a to c', [other for _, other in pairs], 0)
             texts.append(found.measured)
-            verdicts.append(found.verdict)
-            numbers.append(f'{name}: {found.number}')
+            judged = found if training == 'single' else judged
         else:
             texts.append(f'{name}: no seed arrives in d and in another test')
-    return Judgement(f'decisions of the agents that arrive. {"; ".join(texts)}',
-                     decide_all(*verdicts) if verdicts else NOT_CONFIRMED, *numbers[:1])
+    return Judgement(f'decisions of the agents that arrive. {"; ".join(texts)}', judged.verdict, judged.number)

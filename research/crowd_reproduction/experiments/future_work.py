@@ -12,7 +12,8 @@ WATCHED = 2  # number of episodes of which every decision is recorded
 # Labels by variations.
 LABELS = {THESIS: "the thesis's agent", 'stay': 'stay action', 'stay_02': 'stay action, cost 0.2',
           'stay_1': 'stay action, cost 1', 'stay_5': 'stay action, cost 5', 'occlusion': 'occlusion',
-          'condensed': 'condensed states', 'both': 'stay action, cost 1, occlusion'}
+          'condensed': 'condensed states', 'condensed_80': 'condensed states, cost 80',
+          'both': 'stay action, cost 1, occlusion'}
 COLOUR = '#8e5ea2'
 
 
