@@ -16,8 +16,9 @@
 
 namespace crowd::library {
 
-/// @brief WALKING: on its way. ARRIVED, REMOVED: not in the world any more.
-enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
+/// @brief WALKING: on its way. ARRIVED, REMOVED: not in the world any more. STAYING: has arrived, and stays in the
+/// world as a body at rest.
+enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2, STAYING = 3 };
 
 /// @brief An agent between two ticks; all vectors in `map`.
 struct AgentState {

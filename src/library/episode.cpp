@@ -37,7 +37,8 @@ bool walkTick(crowd::Episode& episode, Decider& decider) {
 }
 
 static_assert(static_cast<int>(AgentStatus::ARRIVED) == static_cast<int>(crowd::AgentStatus::ARRIVED) &&
-              static_cast<int>(AgentStatus::REMOVED) == static_cast<int>(crowd::AgentStatus::REMOVED));
+              static_cast<int>(AgentStatus::REMOVED) == static_cast<int>(crowd::AgentStatus::REMOVED) &&
+              static_cast<int>(AgentStatus::STAYING) == static_cast<int>(crowd::AgentStatus::STAYING));
 
 AgentState stateOf(const Agent& agent) {
   AgentState state;

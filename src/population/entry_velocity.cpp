@@ -27,7 +27,7 @@ bool canStop(const AgentStart& start, const Vector2& velocity, const World& worl
   if (!world.walls().index().isClear(way.from, way.to, start.radius + DRAWN_GAP)) return false;
   const auto leaves_way = [&](const Agent& other) {
     const Segment its_way = stoppingPath(other.pose.position, other.velocity, world);
-    return !other.isWalking() || isClear(way, start.radius, its_way, other.radius);
+    return !other.isPresent() || isClear(way, start.radius, its_way, other.radius);
   };
   const auto is_beside = [&](const Obstacle& obstacle) {
     if (!obstacle.path.isPresent(world.time())) return true;

@@ -8,7 +8,7 @@ namespace {
 
 bool isOccupied(const Segment& wall, const World& world) {
   const auto stands_in_it = [&](const Agent& agent) {
-    return agent.isWalking() && distanceTo(wall, agent.pose.position) < agent.radius;
+    return agent.isPresent() && distanceTo(wall, agent.pose.position) < agent.radius;
   };
   const auto is_in_it = [&](const Robot& robot) { return isCutBy(robot.start.footprint, robot.pose, wall, 0.0); };
   return std::any_of(world.agents().begin(), world.agents().end(), stands_in_it) ||

@@ -149,7 +149,11 @@ void Population::beginLeg(Member& member, World& world) {
 
 void Population::advance(Member& member, World& world, RouteObserver& observer) {
   observer.countWaypoint(member.id);
-  if (!member.route->advance()) return WorldEditor(world).leave(member.id);
+  const Kind kind = member.route->waypoint().kind;
+  if (!member.route->advance()) {
+    const bool is_at_sink = kind == Kind::SINK || kind == Kind::NEAREST_SINK;
+    return is_at_sink ? WorldEditor(world).leave(member.id) : WorldEditor(world).arrive(member.id);
+  }
   beginLeg(member, world);
   observer.extendWay(world.agents()[member.id]);
 }

@@ -67,7 +67,7 @@ void BorderExchange::findPlaces(const World& world) {
   places_.assign(world.agents().size(), NONE);
   std::uint32_t place = 0;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (world.agents().nth(i).isWalking()) places_[i] = place++;
+    if (world.agents().nth(i).isPresent()) places_[i] = place++;
   }
 }
 
@@ -79,8 +79,8 @@ std::uint64_t BorderExchange::exchangeOutcomes(World& world) {
     out_[rank].clear();
     ByteWriter write(out_[rank]);
     for (const AgentId position : shared_[rank].sent) {
-      const bool walks = places_[position] != NONE;
-      transferOutcome(write, walks ? std::as_const(outcomes[places_[position]]) : SolidMotion::Outcome());
+      const bool is_present = places_[position] != NONE;
+      transferOutcome(write, is_present ? std::as_const(outcomes[places_[position]]) : SolidMotion::Outcome());
     }
     in_[rank].resize(SIZE * shared_[rank].received.size());
   }

@@ -29,7 +29,7 @@ std::vector<Vector2> DistributedCrowd::keepOwn() {
   places.reserve(agents_.size());
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     if (!agents_[i].perceives) continue;
-    if (agents_[i].isWalking()) {
+    if (agents_[i].isPresent()) {
       kept_.push_back(static_cast<std::uint32_t>(i));
       places.push_back(agents_[i].pose.position);
     } else {

@@ -54,6 +54,7 @@ std::string checksumOf(const Scene& scene) {
     write(start.figure);
     write(start.reaction);
     write(start.leaves);
+    write(start.stays);
   }
   for (const Obstacle& obstacle : scene.obstacles) {
     write(obstacle.path.points());

@@ -27,12 +27,12 @@ void DistributedCrowd::moveWholeCrowd(World& world) {
   ++whole_motions_;
   Communicator::Bytes own;
   ByteWriter write(own);
-  std::vector<AgentId> walking;  // in the order of the discs
+  std::vector<AgentId> present;  // in the order of the discs
   for (const Agent& agent : world.agents()) {
-    if (!agent.isWalking()) continue;
-    const AgentDisc moved{agent.id, world.solidDiscs()[walking.size()]};
+    if (!agent.isPresent()) continue;
+    const AgentDisc moved{agent.id, world.solidDiscs()[present.size()]};
     if (agent.perceives) transferDisc(write, moved);
-    walking.push_back(agent.id);
+    present.push_back(agent.id);
   }
   std::vector<Communicator::Bytes> in;
   communicator_.exchangeAnySize(std::vector<Communicator::Bytes>(rankCount(), own), in);
@@ -46,12 +46,12 @@ void DistributedCrowd::moveWholeCrowd(World& world) {
   std::vector<SolidMotion::Disc> discs;
   discs.reserve(all.size());
   for (const AgentDisc& moved : all) discs.push_back(moved.disc);
-  const auto obstacles = world.solidDiscs().begin() + static_cast<std::ptrdiff_t>(walking.size());
+  const auto obstacles = world.solidDiscs().begin() + static_cast<std::ptrdiff_t>(present.size());
   discs.insert(discs.end(), obstacles, world.solidDiscs().end());
   SolidMotion motion;
   const std::vector<SolidMotion::Outcome>& outcomes = motion.move(discs, world.walls().index());
-  for (std::size_t i = 0; i < walking.size(); ++i) {
-    const auto found = std::lower_bound(all.begin(), all.end(), walking[i],
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    const auto found = std::lower_bound(all.begin(), all.end(), present[i],
                                         [](const AgentDisc& moved, AgentId id) { return moved.id < id; });
     world.solidOutcomes()[i] = outcomes[static_cast<std::size_t>(found - all.begin())];
   }

@@ -118,7 +118,7 @@ void RobotMonitor::observePeople(const World& world, const Robot& robot, Track& 
     its_radius = radius;
   };
   for (const Agent& agent : world.agents()) {
-    if (agent.isWalking()) see(agent.pose.position, agent.radius);
+    if (agent.isPresent()) see(agent.pose.position, agent.radius);
   }
   for (const Neighbour& person : world.recordedPeople()) see(person.position, person.radius);
   if (std::isinf(nearest)) return;

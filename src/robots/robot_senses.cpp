@@ -101,7 +101,7 @@ void RobotSenses::scan(const World& world, RobotId robot) {
 void RobotSenses::addPeople(const World& world, SeenPeople people) {
   for (BodyNumber body = 0; body < world.agents().size(); ++body) {
     const Agent& agent = world.agents().nth(body);
-    if (!agent.isWalking()) continue;
+    if (!agent.isPresent()) continue;
     if (people == SeenPeople::LEGS) {
       addLegs(agent.pose, gait_.walked(agent.id), agent.radius, body, targets_);
     } else {

@@ -53,6 +53,7 @@ Scene emptyScene(const Scenario& scenario) {
   scene.free_radius = scenario.free_radius;
   scene.seed = scenario.seed;
   scene.ends = scenario.ends;
+  scene.arrived = scenario.arrived;
   scene.population = scenario.population;
   if (scenario.map_walls) scene.walls.insert(scene.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
   return scene;
@@ -266,6 +267,7 @@ void Placement::completeAgents() {
     agent.faces_goal = waits_for_goal && !group.heading;
     if (waits_for_goal) agent.goals = {agent.position};
     agent.leaves = !agent.leader;
+    agent.stays = scenario_.arrived == Arrived::STAY;
     agent.heading = group.heading ? group.heading->draw(random_) : bearingOf(agent.goals.front() - agent.position);
     agent.heading = wrapAngle(agent.heading);
     agent.keeps_heading = group.keeps_heading;

@@ -151,6 +151,7 @@ struct Scenario {
   std::vector<RecordedGroup> recorded;
   std::vector<RobotGroup> robots;
   Ends ends = Ends::ALL;                                  ///< see Scene
+  Arrived arrived = Arrived::LEAVE;                       ///< see Scene
   std::vector<Segment> walls;                             ///< of the file; those of the map are not among them
   bool way_finding = true;                                ///< see Scene
   std::shared_ptr<const OccupancyMap> map;                ///< null: none

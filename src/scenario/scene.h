@@ -36,6 +36,11 @@ inline constexpr EnumNames<Order, 2> ORDERS{"order", {"simultaneous", "sequentia
 enum class Ends : std::uint8_t { ALL = 0, ROBOTS = 1 };
 inline constexpr EnumNames<Ends, 2> ENDS{"ends", {"all", "robots"}};
 
+/// @brief What agents of the scenario do that have arrived at their last goals. LEAVE: they leave the world. STAY: they
+/// keep their places as bodies at rest, and decide no more (thesis, algorithm 3.3 skips them).
+enum class Arrived : std::uint8_t { LEAVE = 0, STAY = 1 };
+inline constexpr EnumNames<Arrived, 2> ARRIVALS{"arrived", {"leave", "stay"}};
+
 /// @brief Inner radius (thesis, 4.1) [m], see Scene::collision_radius.
 constexpr double DEFAULT_COLLISION_RADIUS = 0.5;
 
@@ -69,7 +74,7 @@ struct AgentStart {
   std::int32_t kind = NO_KIND;         ///< index of its kind of people
   Figure figure = Figure::ADULT;
   Reaction reaction = Reaction::REGULAR;  ///< to robots
-  bool leaves = true;          ///< leaves the world at its last goal; else it stays until it gets another goal
+  bool leaves = true;  ///< arrives at its last goal; else it goes on to decide there, until it gets another goal
   bool keeps_heading = false;  ///< starts with its heading at the end of the previous episode, see keepHeadings()
   std::optional<std::size_t> route = std::nullopt;  ///< index of its route; `goals` are not used then
   std::optional<Leader> leader = std::nullopt;      ///< `goals` are not used then
@@ -77,6 +82,7 @@ struct AgentStart {
   double reaction_time = 0.0;                       ///< it stands until this time has passed since it appeared [s]
   bool faces_goal = false;                          ///< with a route: `heading` is to be towards the first goal
   double hurry = 1.0;                               ///< factor of `max_speed`, see walkingSpeed()
+  bool stays = false;                               ///< stays in the world when it has arrived, see Arrived
 
   /// @brief The maximum speed at the start [m/s].
   double walkingSpeed() const { return max_speed * hurry; }
@@ -108,6 +114,7 @@ struct Scene {
   std::vector<RecordedPeople> recorded;  ///< where these come from
   std::vector<RobotStart> robots;
   Ends ends = Ends::ALL;
+  Arrived arrived = Arrived::LEAVE;
   std::vector<Segment> walls;  ///< those of the scenario file, then those of the map
   std::size_t own_walls = 0;   ///< number of walls of the scenario file
   /// Agents whose goal is hidden by walls or obstacles at rest perceive a waypoint on the way to it instead.

@@ -28,6 +28,7 @@ void transferAgent(Archive& archive, AnAgent& agent) {
   archive(agent.status);
   archive(agent.group);
   archive(agent.leaves);
+  archive(agent.stays);
   archive(agent.has_waypoint);
   archive(agent.at_goal);
   archive(agent.holds);

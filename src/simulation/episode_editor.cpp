@@ -13,6 +13,11 @@ namespace crowd {
 
 EpisodeEditor::EpisodeEditor(Episode& episode) : WorldEditor(episode.world_), episode_(episode) {}
 
+AgentId EpisodeEditor::spawnAgent(AgentStart start) {
+  start.stays = episode_.scene_.arrived == Arrived::STAY;
+  return WorldEditor::spawnAgent(start);
+}
+
 void EpisodeEditor::review(const WorldChange& change) {
   if (!episode_.findsWays()) return;
   requireNavigableFloor(world_, change, episode_.scene_);

@@ -14,8 +14,9 @@ namespace crowd {
 /// @brief Bodies that overlap by more than this are in contact [m].
 constexpr double CONTACT_OVERLAP = 1e-3;
 
-/// @brief WALKING: on its way. ARRIVED, REMOVED: not in the world any more.
-enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2 };
+/// @brief WALKING: on its way. ARRIVED, REMOVED: not in the world any more. STAYING: has arrived, and stays in the
+/// world as a body at rest (Arrived::STAY).
+enum class AgentStatus : std::uint8_t { WALKING = 0, ARRIVED = 1, REMOVED = 2, STAYING = 3 };
 
 /// @brief Why an agent stands, or brakes, whatever its actions.
 enum class Hold : std::uint8_t { ROUTE, PAUSE, ATTRACTION, REACTION };
@@ -42,7 +43,8 @@ struct Agent {
         goals(start.goals),
         present_goal(start.goals.front()),
         group(start.group),
-        leaves(start.leaves) {}
+        leaves(start.leaves),
+        stays(start.stays) {}
 
   AgentId id = 0;
   Pose pose;                           ///< in `map`
@@ -63,6 +65,7 @@ struct Agent {
   AgentStatus status = AgentStatus::WALKING;
   GroupId group = NO_GROUP;         ///< see AgentStart
   bool leaves = true;               ///< see AgentStart
+  bool stays = false;               ///< see AgentStart
   bool has_waypoint = false;        ///< it perceives `waypoint` as its goal
   bool at_goal = false;             ///< reached its last goal, but does not leave
   std::uint8_t holds = 0;           ///< one bit for each Hold
@@ -73,14 +76,16 @@ struct Agent {
   std::uint64_t blocked_moves = 0;  ///< number of blocked moves
   bool in_contact = false;          ///< in the last tick
   bool bumped = false;              ///< took part in an impact since the end of the last tick
-  bool touched = false;             ///< in contact in any tick so far
+  bool touched = false;             ///< in contact in any tick so far, until it arrived
   bool in_collision = false;        ///< a rim or wall was within the collision radius at the end of the last tick
-  bool collided = false;            ///< in collision in any tick so far
+  bool collided = false;            ///< in collision in any tick so far, until it arrived
   /// False for a copy of an agent of another process (DistributedCrowd): others perceive it, but it does not perceive.
   bool perceives = true;
 
   bool isWalking() const { return status == AgentStatus::WALKING; }
-  bool hasArrived() const { return status == AgentStatus::ARRIVED; }
+  bool hasArrived() const { return status == AgentStatus::ARRIVED || status == AgentStatus::STAYING; }
+  /// @brief Whether it is a body of the world: on its way, or arrived and staying.
+  bool isPresent() const { return isWalking() || status == AgentStatus::STAYING; }
   bool isHeldBy(Hold reason) const { return (holds & bitOf(reason)) != 0; }
   bool isHeld() const { return holds != 0; }
   void setHeld(Hold reason, bool is_held) {

@@ -57,7 +57,7 @@ void ProtectiveStop::findPeople(const Robot& robot, const std::vector<Agent>& ag
     if ((position - robot.pose.position).norm() <= reach + radius) people_.push_back({position, radius});
   };
   for (const Agent& agent : agents) {
-    if (agent.isWalking()) add(agent.pose.position, agent.radius + agent.max_speed * tick_duration);
+    if (agent.isPresent()) add(agent.pose.position, agent.radius + agent.max_speed * tick_duration);
   }
   for (const Neighbour& person : recorded) add(person.position, person.radius + person.velocity.norm() * tick_duration);
 }

@@ -171,7 +171,7 @@ void Robots::noteSolidContacts(const std::vector<Agent>& agents, const std::vect
   const auto first_robot = static_cast<std::uint32_t>(discs.size() - robots_.size());
   std::uint32_t disc = 0;
   for (const Agent& agent : agents) {
-    if (!agent.isWalking()) continue;
+    if (!agent.isPresent()) continue;
     const SolidMotion::Disc& intended = discs[disc];
     for (const SolidMotion::Touch& touch : touches) {
       if (touch.disc == disc) noteContact(touch.robot - first_robot, agent, intended.position, intended.way);
@@ -193,7 +193,7 @@ void Robots::noteGhostContacts(const Span<Agent>& agents, double time) {
   for (RobotId id = 0; id < robots_.size(); ++id) {
     const RobotSweep& sweep = sweeps_[id];
     for (const Agent& agent : agents) {
-      if (!agent.isWalking()) continue;
+      if (!agent.isPresent()) continue;
       const Vector2 way = time * agent.velocity;
       const Vector2 start = agent.pose.position - way;
       const double radius = agent.radius - CONTACT_OVERLAP;

@@ -10,14 +10,14 @@ const Viewers& Viewers::all(const World& world) {
     const Agent& agent = world.agents().nth(body);
     if (!world.isPerceiving(agent)) continue;
     places_[body] = place++;
-    if (!agent.isWalking()) list_.push_back({&agent, body, places_[body]});  // not in the grid
+    if (!agent.isPresent()) list_.push_back({&agent, body, places_[body]});  // not in the grid
   }
   const NeighbourGrid& grid = world.grid();
   for (std::size_t disc = 0; disc < grid.size(); ++disc) {
     const std::uint32_t body = grid.body(disc);
     if (body >= places_.size()) continue;
     const Agent& agent = world.agents().nth(body);
-    if (agent.perceives) list_.push_back({&agent, body, places_[body]});
+    if (world.isPerceiving(agent)) list_.push_back({&agent, body, places_[body]});
   }
   return *this;
 }
@@ -28,7 +28,7 @@ const Viewers& Viewers::among(const World& world, std::size_t first, std::size_t
     const std::uint32_t body = world.grid().body(disc);
     if (body >= world.agents().size()) continue;
     const Agent& agent = world.agents().nth(body);
-    if (agent.perceives) list_.push_back({&agent, body, static_cast<std::uint32_t>(list_.size())});
+    if (agent.perceives && agent.isWalking()) list_.push_back({&agent, body, static_cast<std::uint32_t>(list_.size())});
   }
   return *this;
 }

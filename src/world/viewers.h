@@ -22,7 +22,7 @@ class Viewers {
   /// @brief All agents that are on their way or arrived in the last tick, in Perceptions by ascending id.
   const Viewers& all(const World& world);
   /// @brief The agents among the bodies first .. last - 1 of the world's grid, in the order of the bodies, which is
-  /// spatial for large crowds. Agents that have just arrived are not among the bodies.
+  /// spatial for large crowds; not those that have arrived.
   const Viewers& among(const World& world, std::size_t first, std::size_t last);
   /// @brief One agent, for which World::isPerceiving() must hold, or none.
   const Viewers& one(const World& world, std::optional<AgentId> id);

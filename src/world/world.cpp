@@ -87,7 +87,7 @@ void World::rebuildGrid() {
   grid_.clear();
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const Agent& agent = agents_.nth(i);
-    if (agent.isWalking()) {
+    if (agent.isPresent()) {
       grid_.add(agent.pose.position, agent.radius, static_cast<std::uint32_t>(i), agent.velocity);
     }
   }
@@ -117,7 +117,7 @@ bool World::moveObstacles() {
 inline void World::updateGrid() {
   std::size_t number = 0;
   for (const Agent& agent : agents_) {
-    if (agent.isWalking()) grid_.move(number++, agent.pose.position, agent.velocity);
+    if (agent.isPresent()) grid_.move(number++, agent.pose.position, agent.velocity);
   }
   for (const MovingObstacle& mover : moving_obstacles_) {
     if (mover.rank == ABSENT) continue;
@@ -193,7 +193,7 @@ void World::moveAgent(AgentId id, const std::vector<AgentAction>& actions) {
     carryOutSolidMotions(is_it);
   }
   std::size_t number = 0;
-  for (std::size_t i = 0; i < position; ++i) number += agents_.nth(i).isWalking() ? 1 : 0;
+  for (std::size_t i = 0; i < position; ++i) number += agents_.nth(i).isPresent() ? 1 : 0;
   grid_.move(number, agent.pose.position, agent.velocity);  // also if it stays, because its velocity changes
   grid_.update();
 }
@@ -222,7 +222,7 @@ void World::finishTick(ThreadPool& thread_pool) {
   const bool are_others = moveObstacles();
   are_fewer || are_others ? rebuildGrid() : updateGrid();
   stop_.throwIfMade();
-  // Agents that arrive in this tick are still present at its end: the grid contains them during the measurements.
+  // Agents that leave at the end of this tick are still present: the grid contains them during the measurements.
   std::atomic<std::size_t> arrived{0};
   thread_pool.run(
       agents_.size(),
@@ -238,7 +238,7 @@ void World::finishTick(ThreadPool& thread_pool) {
 }
 
 bool World::dropDeparted() {
-  const auto is_due = [this](const Agent& agent) { return !agent.isWalking() && agent.arrival_tick < tick_; };
+  const auto is_due = [this](const Agent& agent) { return !agent.isPresent() && agent.arrival_tick < tick_; };
   if (std::none_of(agents_.begin() + static_cast<std::ptrdiff_t>(lasting_count_), agents_.end(), is_due)) return false;
   agents_.eraseIf([&](AgentId id, const Agent& agent) {
     if (id < lasting_count_ || !is_due(agent)) return false;
@@ -299,7 +299,7 @@ inline void World::endMove(std::size_t position, std::size_t& arrivals) {
     return;
   }
   ++agent.next_goal;
-  agent.status = AgentStatus::ARRIVED;
+  agent.status = agent.stays ? AgentStatus::STAYING : AgentStatus::ARRIVED;
   agent.arrival_tick = tick_;
   ++arrivals;
 }
@@ -315,7 +315,7 @@ void World::computeSolidMotions(const Moves& moves) {
   discs_.clear();
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const Agent& agent = agents_.nth(i);
-    if (!agent.isWalking()) continue;
+    if (!agent.isPresent()) continue;
     const Vector2 way = moves(i) ? Vector2(tick_duration_ * agent.velocity) : Vector2::Zero();
     discs_.push_back({agent.pose.position, way, agent.radius, true});
   }
@@ -338,7 +338,7 @@ void World::carryOutSolidMotions(const Moves& moves) {
   robots_.noteSolidContacts(agents_.values(), discs_, solid_motion_.touches());
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     Agent& agent = agents_.nth(i);
-    if (!agent.isWalking()) continue;
+    if (!agent.isPresent()) continue;
     if (outcome->diverted) {
       const Vector2 velocity = (outcome->position - agent.pose.position) / tick_duration_;
       if (moves(i)) {

@@ -56,7 +56,7 @@ class World {
   const StopRequest& stopRequest() const { return stop_; }
 
   /// @brief The agents by id: all agents of the scene, and those that were added later. Of the latter, an agent that
-  /// arrives or is removed is there until the end of the next tick; so a tick costs what the present agents cost.
+  /// leaves or is removed is there until the end of the next tick; so a tick costs what the present agents cost.
   const AgentMap<Agent>& agents() const { return agents_; }
   /// @brief An agent, to change what it is to do: its goals, waypoint, and whether it stands or leaves. Place and body
   /// are changed by WorldEditor. @throws InputError unless it is on its way
@@ -87,7 +87,7 @@ class World {
   std::uint64_t layoutChanges() const { return layout_changes_; }
   const Robots& robots() const { return robots_; }
   Robots& robots() { return robots_; }
-  /// @brief The agents on their way and the obstacles that are present. Body i is the agent at position i of agents(),
+  /// @brief The agents and the obstacles that are present. Body i is the agent at position i of agents(),
   /// or else an obstacle.
   const NeighbourGrid& grid() const { return grid_; }
   /// @brief What overlaps a disc at a place [m], `map`, such as "agent 3"; empty if nothing does.
@@ -104,8 +104,8 @@ class World {
   /// @brief The first half of step(): agents turn, and in a ghost world they move. In a solid world the motions are
   /// computed, but not yet carried out.
   void beginStep(const std::vector<AgentAction>& actions, ThreadPool& thread_pool = ThreadPool::callerOnly());
-  /// @brief Between beginStep() and endStep() of a solid world: the intended motions of the agents on their way, in the
-  /// order of their ids, then of the obstacles that are present, then of the robots.
+  /// @brief Between beginStep() and endStep() of a solid world: the intended motions of the agents that are present, in
+  /// the order of their ids, then of the obstacles that are present, then of the robots.
   const std::vector<SolidMotion::Disc>& solidDiscs() const { return discs_; }
   /// @brief The outcomes of these motions; endStep() carries out those that are here then.
   std::vector<SolidMotion::Outcome>& solidOutcomes() { return solid_motion_.outcomes(); }

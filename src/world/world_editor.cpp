@@ -74,6 +74,10 @@ void WorldEditor::removeAgent(AgentId id) { end(id, AgentStatus::REMOVED); }
 
 void WorldEditor::leave(AgentId id) { end(id, AgentStatus::ARRIVED); }
 
+void WorldEditor::arrive(AgentId id) {
+  end(id, world_.walkingAgent(id).stays ? AgentStatus::STAYING : AgentStatus::ARRIVED);
+}
+
 void WorldEditor::setGoal(AgentId id, const Vector2& goal) {
   requirePlace("goal [m]", goal);
   Agent after = world_.walkingAgent(id);
@@ -163,7 +167,7 @@ std::size_t WorldEditor::addWall(const Segment& wall) {
   requirePlace("wall [m]", wall.to);
   if (wall.from == wall.to) throw InputError("expected a wall with a length, got twice the same end");
   for (const Agent& agent : world_.agents_) {
-    if (agent.isWalking() && distanceTo(wall, agent.pose.position) < agent.radius - CONTACT_OVERLAP) {
+    if (agent.isPresent() && distanceTo(wall, agent.pose.position) < agent.radius - CONTACT_OVERLAP) {
       throw InputError("the place is taken by agent " + std::to_string(agent.id));
     }
   }

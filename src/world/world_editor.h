@@ -36,6 +36,8 @@ class WorldEditor {
   std::vector<Agent> replaceAgents(std::vector<Agent> agents);
   void removeAgent(AgentId id);
   /// @brief Lets an agent arrive now, as at its last goal.
+  void arrive(AgentId id);
+  /// @brief The same, but it leaves the world in any case, as at a sink.
   void leave(AgentId id);
   /// @brief Replaces all goals of an agent by one [m], `map`.
   void setGoal(AgentId id, const Vector2& goal);

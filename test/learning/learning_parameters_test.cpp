@@ -151,6 +151,33 @@ TEST(ReadLearningPlan, ErrorsNameWrongKeysAndValuesOfASchedule) {
   EXPECT_TRUE(contains(errorIn("{epsilon: {from: 1, to: 0, episodes: 8, form: linear}}"), "unknown key 'form'"));
 }
 
+TEST(ParseEpsilon, ReadsANumberOrASchedule) {
+  EXPECT_EQ(toText(parseEpsilon("0.25", "epsilon")), "0.25");
+  const std::string text = "{from: 0.8, to: 0.1, episodes: 6, shape: exponential}";
+  const EpsilonSchedule schedule = parseEpsilon(text, "epsilon");
+  EXPECT_DOUBLE_EQ(schedule.at(0), 0.8);
+  EXPECT_DOUBLE_EQ(schedule.at(2), 0.4);  // 0.8 (1 / 8)^(1 / 3)
+  EXPECT_EQ(schedule.at(6), 0.1);
+  EXPECT_EQ(toText(schedule), text);
+  EXPECT_DOUBLE_EQ(parseEpsilon("from: 0.5\nto: 0.1\nepisodes: 8", "epsilon").at(2), 0.4);
+}
+
+TEST(ParseEpsilon, NamesWhatIsWrong) {
+  const auto error = [](const std::string& text) {
+    return errorOf<InputError>([&] { parseEpsilon(text, "epsilon"); });
+  };
+  EXPECT_EQ(error("1.5"), "epsilon: line 1: expected a number from 0 to 1, got '1.5'");
+  EXPECT_EQ(error("{from: 2, to: 0, episodes: 8}"),
+            "epsilon: line 1: from: expected a number from 0 to 1, got '2'");
+  EXPECT_EQ(error("{from: 1, to: 0}"), "epsilon: line 1: the key 'episodes' is missing");
+  EXPECT_TRUE(contains(error("{from: 1, to: 0, episodes: 8, shape: exponential}"), "above 0"));
+  EXPECT_TRUE(contains(error("{from: 1, to: 0, episodes: 8, shape: round}"), "expected linear or exponential"));
+  EXPECT_TRUE(contains(error("{from: 1, "), "not YAML"));
+  for (const char* const text : {"", "lots", "[0.1]", "0.1\n---\n0.2"}) {
+    EXPECT_TRUE(contains(error(text), "expected a number from 0 to 1")) << text;
+  }
+}
+
 LearningPlan somePlan() {
   return read(
       "{alpha: 0.25, alpha_decay: 0.5, gamma: 0.95, lambda: 0.5, mirrored: true, ties: random, "

@@ -50,5 +50,24 @@ TEST(FloorScene, KeepsFollowersOfARemovedLeader) {
   EXPECT_NEAR(scene.agents[0].goals.front().x(), 30.0, 1e-9);
 }
 
+/// They cannot start at their goals, so they are obstacles at rest, before the others.
+TEST(FloorScene, AgentsThatStayAreObstacles) {
+  Episode episode = straight_walk::episodeOf(
+      "arrived: stay\n"
+      "agents:\n"
+      "  - {position: [0, 0], goal: [1, 0], speed: 1, radius: 0.2}\n"
+      "  - {position: [0, 3], goal: [30, 3], speed: 1, radius: 0.2}\n"
+      "obstacles: [{position: [9, 9], radius: 0.4}]\n");
+  straight_walk::walkUntil(3.0, episode);
+  const Scene scene = sceneOnFloor(episode, false);
+  EXPECT_EQ(scene.arrived, Arrived::STAY);
+  ASSERT_EQ(scene.agents.size(), 1U);
+  EXPECT_TRUE(scene.agents[0].stays);
+  ASSERT_EQ(scene.obstacles.size(), 2U);
+  EXPECT_EQ(scene.obstacles[0].path.position(7.0), Vector2(1.0, 0.0));
+  EXPECT_EQ(scene.obstacles[0].radius, 0.2);
+  EXPECT_EQ(scene.obstacles[1].radius, 0.4);
+}
+
 }  // namespace
 }  // namespace crowd::floor_scene_test

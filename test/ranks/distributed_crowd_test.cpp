@@ -190,6 +190,22 @@ TEST(DistributedCrowd, HandsOverAgentsThatCrossBordersUntilAllHaveArrived) {
   }
 }
 
+TEST(DistributedCrowd, KeepsAgentsThatStay) {
+  const TrainedTable trained = tableOf("anticipation");
+  for (const Contact contact : {Contact::GHOST, Contact::SOLID}) {
+    Scene scene = counterflow(contact);
+    for (AgentStart& start : scene.agents)
+      start.goals.front().x() = 0.5 * (start.goals.front().x() + start.position.x());
+    const Walked leaving = walkAlone(scene, trained);
+    for (AgentStart& start : scene.agents) start.stays = true;
+    EXPECT_NE(walkAlone(scene, trained).trajectory, leaving.trajectory);
+    compare(scene, trained);
+    for (const std::uint64_t ticks : {1U, 7U, 50U}) {
+      expectSame(walkOnRanks(3, scene, trained, {ticks}), walkAlone(scene, trained));
+    }
+  }
+}
+
 TEST(DistributedCrowd, WorksWithMoreRanksThanAgents) {
   const TrainedTable trained = tableOf("anticipation");
   const Scene few =

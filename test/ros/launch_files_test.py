@@ -12,6 +12,7 @@ from social_crowd.msg import AgentState, AgentStates, LearnerStatus, Scenario
 from visualization_msgs.msg import MarkerArray
 
 SCENARIO = support.data('lockstep.yaml')
+SCHEDULE = '{from: 0.8, to: 0.1, episodes: 4, shape: exponential}'
 
 
 class DemoTest(LaunchTestCase):
@@ -90,10 +91,10 @@ class DemoTest(LaunchTestCase):
         self.assert_ends_with(self.demo(on_share='add'), '~on_share', "'add'")
 
     def test_epsilon_argument_reaches_all_learners(self):
-        """The argument reaches one learner and learners per agent; without it, epsilon is that of the table."""
+        """The argument, a number or a schedule, reaches one learner and learners per agent; default: the table's."""
         status = self.listen('learner_status', LearnerStatus)
         header = QTableFile(support.ANTICIPATION_TABLE).header
-        for given, expected in (({'epsilon': 0}, 0.0), ({'epsilon': 0.125, 'learners': 'per_agent'}, 0.125),
+        for given, expected in (({'epsilon': 0}, 0.0), ({'epsilon': SCHEDULE, 'learners': 'per_agent'}, 0.8),
                                 ({}, header['epsilon']), ({'learners': 'per_agent'}, header['epsilon'])):
             status.messages.clear()
             launched = self.launch('demo.launch', mode='training', **given)
@@ -153,10 +154,12 @@ class TrainTest(LaunchTestCase):
         self.assertIn('circle6', self.tool('evaluate', '--q-table', file, '--episodes', 1, support.CIRCLE6))
 
     def test_uses_scenarios_episodes_and_seed_of_the_configuration(self):
-        """Training through ROS gives the same table as training without ROS, bit for bit."""
-        text = config_text(f'{SCENARIO}, circle6', 3, seed=7, tables='own')
+        """Training through ROS gives the same table as training without ROS, bit for bit; epsilon is an argument."""
+        text = config_text(f'{SCENARIO}, circle6', 3, seed=7, tables='own',
+                           learning=f'{{alpha: 0.2, gamma: 0.9, epsilon: {SCHEDULE}}}')
         config = self.write('config.yaml', text)
-        launched = self.launch('train.launch', output=self.path('ros.txt'), config=config)
+        without = self.write('without.yaml', text.replace(SCHEDULE, '0'))
+        launched = self.launch('train.launch', output=self.path('ros.txt'), config=without, epsilon=SCHEDULE)
         self.assert_ends_well(launched)
         self.assert_says(launched.output(), 'episode 0 (circle,', 'episode 1 (walls_and_moving_obstacles,',
                          'episode 2 (')

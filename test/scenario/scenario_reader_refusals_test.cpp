@@ -26,12 +26,13 @@ TEST(ScenarioReader, ErrorsContainFileDocumentLineAndExpectation) {
 }
 
 TEST(ScenarioReader, RefusesUnknownMissingAndRepeatedKeys) {
-  EXPECT_EQ(errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
-            "s.yaml: document 1, line 5: unknown key 'obstacle', did you mean 'obstacles'? Known are name, units, "
-            "tick, duration, "
-            "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls, map, free_radius, "
-            "way_finding, routes, "
-            "sources, sinks, queues, gates, robots, ends, motion, groups, recorded, kinds, attractions, alarms");
+  EXPECT_EQ(
+      errorOf(std::string(HEAD) + AGENTS + "obstacle: []\n"),
+      "s.yaml: document 1, line 5: unknown key 'obstacle', did you mean 'obstacles'? Known are name, units, "
+      "tick, duration, "
+      "goal_tolerance, collision_radius, contact, order, seed, agents, obstacles, walls, map, free_radius, "
+      "way_finding, routes, "
+      "sources, sinks, queues, gates, robots, ends, motion, groups, recorded, kinds, attractions, alarms, arrived");
   EXPECT_EQ(errorOf("name: n\nduration: 60\n" + std::string(AGENTS)),
             "s.yaml: document 1, line 1: the key 'goal_tolerance' is missing");
   EXPECT_EQ(agentError("position: [0, 0], goal: [1, 1], radius: 0.2"),

@@ -181,6 +181,18 @@ TEST(ScenarioReader, ReadsTheOrderOfMoves) {
             "s.yaml: document 1, line 5: order: expected simultaneous or sequential, got 'random'");
 }
 
+TEST(ScenarioReader, ReadsWhatArrivedAgentsDo) {
+  const std::string document = std::string(HEAD) + AGENTS;
+  for (const char* const leaving : {"", "arrived: leave\n"}) {
+    EXPECT_EQ(sceneOf(document + leaving).arrived, Arrived::LEAVE);
+    EXPECT_FALSE(sceneOf(document + leaving).agents[0].stays);
+  }
+  EXPECT_EQ(sceneOf(document + "arrived: stay\n").arrived, Arrived::STAY);
+  EXPECT_TRUE(sceneOf(document + "arrived: stay\n").agents[0].stays);
+  EXPECT_EQ(errorOf(document + "arrived: go\n"),
+            "s.yaml: document 1, line 5: arrived: expected leave or stay, got 'go'");
+}
+
 TEST(ScenarioReader, ReadsTheCollisionRadius) {
   const std::string document = std::string(HEAD) + AGENTS;
   EXPECT_EQ(sceneOf(document).collision_radius, 0.5);  // the thesis's (4.1)

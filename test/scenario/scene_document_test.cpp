@@ -26,6 +26,7 @@ void expectSame(const Scene& got, const Scene& expected) {
   EXPECT_EQ(got.contact, expected.contact);
   EXPECT_EQ(got.order, expected.order);
   EXPECT_EQ(got.motion, expected.motion);
+  EXPECT_EQ(got.arrived, expected.arrived);
   EXPECT_EQ(got.collision_radius, expected.collision_radius);
   ASSERT_EQ(got.agents.size(), expected.agents.size());
   for (std::size_t i = 0; i < got.agents.size(); ++i) {
@@ -92,6 +93,15 @@ TEST(SceneDocument, ReadsBackOrderAndCollisionRadius) {
   scene.order = Order::SEQUENTIAL;
   scene.collision_radius = 0.35;
   expectSame(readBack(scene), scene);
+}
+
+TEST(SceneDocument, ReadsBackWhetherAgentsStay) {
+  Scene scene = scenes::scene({scenes::agent({0.0, 0.0}, {0.0, 9.0})});
+  EXPECT_EQ(toDocument(scene, ".").find("arrived"), std::string::npos);
+  scene.arrived = Arrived::STAY;
+  EXPECT_NE(toDocument(scene, ".").find("\narrived: stay\n"), std::string::npos);
+  expectSame(readBack(scene), scene);
+  EXPECT_TRUE(readBack(scene).agents[0].stays);
 }
 
 TEST(SceneDocument, ReadsBackMotionLimits) {

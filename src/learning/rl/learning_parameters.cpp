@@ -9,6 +9,18 @@
 #include "common/text/quotes.h"
 
 namespace crowd {
+namespace {
+
+constexpr std::size_t LONGEST_TEXT = 10'000;
+
+/// Returns the only document of a text; undefined if there is none, or there are several.
+YAML::Node documentOf(const std::string& text, const std::string& name) {
+  requireShort(name, text, LONGEST_TEXT);
+  const std::vector<YAML::Node> documents = parseYamlStream(text, name);
+  return documents.size() == 1 ? documents.front() : YAML::Node(YAML::NodeType::Undefined);
+}
+
+}  // namespace
 
 std::string LearningParameters::problems() const {
   std::string problems;
@@ -32,10 +44,9 @@ double EpsilonSchedule::at(std::uint64_t episode) const {
   return first + fraction * (last - first);
 }
 
-namespace {
-
 EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
-  if (!node.IsMap()) return EpsilonSchedule::constant(readNumber(node, place, NumberRule::FRACTION));
+  if (!node.IsDefined() || !node.IsMap())
+    return EpsilonSchedule::constant(readNumber(node, place, NumberRule::FRACTION));
   const YamlMap map(node, place, {"from", "to", "episodes", "shape"});
   EpsilonSchedule schedule;
   schedule.first = map.number("from", NumberRule::FRACTION);
@@ -49,7 +60,9 @@ EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place) {
   return schedule;
 }
 
-}  // namespace
+EpsilonSchedule parseEpsilon(const std::string& text, const std::string& name) {
+  return readEpsilon(documentOf(text, name), {name, 0, ""});
+}
 
 void readParameter(const YamlMap& map, const std::string& key, double LearningParameters::*member,
                    LearningParameters& parameters) {
@@ -79,13 +92,11 @@ LearningPlan readLearningPlan(const YAML::Node& node, const YamlPlace& place, co
 }
 
 LearningPlan changedPlan(const LearningPlan& plan, const std::string& text, const std::string& name) {
-  constexpr std::size_t LONGEST = 10'000;
-  requireShort(name, text, LONGEST);
-  const std::vector<YAML::Node> documents = parseYamlStream(text, name);
-  if (documents.size() != 1 || !documents.front().IsMap()) {
+  const YAML::Node document = documentOf(text, name);
+  if (!document.IsDefined() || !document.IsMap()) {
     throw InputError(name + ": expected a map such as {alpha: 0.05, epsilon: 0}, got " + inQuotes(text));
   }
-  return readLearningPlan(documents.front(), {name, 0, ""}, plan);
+  return readLearningPlan(document, {name, 0, ""}, plan);
 }
 
 std::string toText(const EpsilonSchedule& schedule) {

@@ -59,7 +59,12 @@ struct EpsilonSchedule {
   double at(std::uint64_t episode) const;
 };
 
-/// @brief Returns the text that readLearningPlan() reads: a number if epsilon is constant, else {from: ..., to: ...,
+/// @brief Reads a number, or {from, to, episodes, shape: linear|exponential}. @throws InputError
+EpsilonSchedule readEpsilon(const YAML::Node& node, const YamlPlace& place);
+/// @brief The same of a text. @param name name of the text in messages @throws InputError
+EpsilonSchedule parseEpsilon(const std::string& text, const std::string& name);
+
+/// @brief Returns the text that parseEpsilon() reads: a number if epsilon is constant, else {from: ..., to: ...,
 /// ...}.
 std::string toText(const EpsilonSchedule& schedule);
 

@@ -82,15 +82,16 @@ void CrowdBroadcaster::publishStates(const Episode& episode) {
 void CrowdBroadcaster::publishFrames(const Episode& episode) {
   const std_msgs::Header now = header();
   std::size_t count = 0;
-  frames_.resize(episode.world().activeCount());
+  frames_.resize(episode.world().agents().size());
   for (const Agent& agent : episode.world().agents()) {
-    if (!agent.isWalking()) continue;
+    if (!agent.isPresent()) continue;
     geometry_msgs::TransformStamped& frame = frames_[count++];
     frame.header = now;
     frame.child_frame_id = names::AGENT_FRAME_PREFIX + std::to_string(agent.id);
     frame.transform.translation = toVector3(agent.pose.position);
     frame.transform.rotation = toQuaternion(agent.pose.heading);
   }
+  frames_.resize(count);
   frames_broadcaster_->sendTransform(frames_);
 }
 

@@ -37,6 +37,23 @@ std::optional<Content> readFileOf(Parameters& parameters, const std::string& nam
   }
 }
 
+/// Reads ~epsilon, a number or a schedule, if it is set.
+void readEpsilon(Parameters& parameters, LearningPlan& plan) {
+  const std::optional<std::string> schedule = parameters.map("epsilon");
+  LearningParameters& changed = plan.parameters;
+  if (!schedule) {
+    changed.epsilon = parameters.number("epsilon", changed.epsilon, LearningParameters::FRACTION);
+    if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(changed.epsilon);
+    return;
+  }
+  try {
+    plan.epsilon = parseEpsilon(*schedule, "epsilon");
+    changed.epsilon = plan.epsilon.at(0);
+  } catch (const InputError& error) {
+    parameters.complain("epsilon", withoutName(error.what()));
+  }
+}
+
 void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
   const auto override_with = [&](const char* name, double LearningParameters::*member, const NumberRange& range) {
     plan.parameters.*member = parameters.number(name, plan.parameters.*member, range);
@@ -44,8 +61,7 @@ void readLearningParameters(Parameters& parameters, LearningPlan& plan) {
   override_with("alpha", &LearningParameters::alpha, LearningParameters::ALPHA);
   override_with("gamma", &LearningParameters::gamma, LearningParameters::GAMMA);
   override_with("lambda", &LearningParameters::lambda, LearningParameters::FRACTION);
-  override_with("epsilon", &LearningParameters::epsilon, LearningParameters::FRACTION);
-  if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(plan.parameters.epsilon);
+  readEpsilon(parameters, plan);
 }
 
 /// Returns ~save_to as an absolute path. It is checked now, so that an error is reported before the training.

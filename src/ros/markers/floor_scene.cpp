@@ -20,8 +20,24 @@ AgentStart startOf(const Agent& agent, const Scene& scene) {
   start.kind = agent.kind;
   start.figure = agent.figure;
   start.leaves = agent.leaves;
+  start.stays = agent.stays;
   if (agent.id < scene.agents.size()) start.route = scene.agents[agent.id].route;
   return start;
+}
+
+/// The obstacles, with agents that have arrived and stay before them: the recorded people are the last ones.
+std::vector<Obstacle> obstaclesOf(const World& world) {
+  std::vector<Obstacle> obstacles;
+  for (const Agent& agent : world.agents()) {
+    if (agent.status == AgentStatus::STAYING) {
+      obstacles.push_back({ObstaclePath::atRest(agent.pose.position), agent.radius});
+    }
+  }
+  for (const Obstacle& obstacle : world.obstacles()) {
+    obstacles.push_back(obstacle);
+    obstacles.back().path = obstacle.path.after(world.time());
+  }
+  return obstacles;
 }
 
 bool isGate(const Segment& wall, const Scene& scene) {
@@ -92,8 +108,7 @@ Scene sceneOnFloor(const Episode& episode, bool with_map_file) {
     if (leader->kind == Leader::Kind::AGENT) agents[leader->number].group = agents[number].group;
   }
   scene.agents = std::move(agents);
-  scene.obstacles = world.obstacles();
-  for (Obstacle& obstacle : scene.obstacles) obstacle.path = obstacle.path.after(world.time());
+  scene.obstacles = obstaclesOf(world);
   for (RecordedPeople& entry : scene.recorded) entry.offset -= world.time();
   takeWalls(world, with_map_file, scene);
   scene.robots.clear();

@@ -8,7 +8,8 @@
 namespace crowd {
 
 /// @brief The scene that begins with what is on the floor now: agents on their way with the goals that are left,
-/// obstacles, walls and robots at their present places. Agents that the scenario gave a route begin it again; agents of
+/// obstacles, walls and robots at their present places. Agents that have arrived and stay are obstacles in it, because
+/// an agent cannot start at its last goal. Agents that the scenario gave a route begin it again; agents of
 /// sources keep their present goal. Gates, sources, sinks and queues are those of the scenario.
 /// @param with_map_file whether the map of the scenario is in use; its walls are then left to its file, unless one of
 /// them was removed

@@ -66,8 +66,8 @@ void addPiece(LineMarker& marker, const WalkedPaths& paths, const WalkedPaths::P
 bool hasPlace(const AgentState& agent) { return isDrawable(agent.pose.x) && isDrawable(agent.pose.y); }
 
 bool isOnFloor(const AgentState& agent) {
-  return agent.status == AgentState::WALKING && hasPlace(agent) && isDrawable(agent.pose.theta) &&
-         isDrawable(agent.radius);
+  const bool is_present = agent.status == AgentState::WALKING || agent.status == AgentState::STAYING;
+  return is_present && hasPlace(agent) && isDrawable(agent.pose.theta) && isDrawable(agent.radius);
 }
 
 Marker drawBodies(const AgentStates& states, bool figures) {

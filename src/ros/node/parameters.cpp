@@ -147,6 +147,17 @@ std::vector<std::int64_t> Parameters::wholes(const std::string& name) {
   return numbers.value_or(Wholes());
 }
 
+std::optional<std::string> Parameters::map(const std::string& name) {
+  XmlRpcValue* const value = find(name);
+  if (value == nullptr) return std::nullopt;
+  if (value->getType() == XmlRpcValue::TypeStruct) return textOf(*value);
+  if (value->getType() != XmlRpcValue::TypeString) return std::nullopt;
+  const std::string& text = static_cast<std::string&>(*value);
+  const std::size_t begin = text.find_first_not_of(" \n");
+  if (begin == std::string::npos || text[begin] != '{') return std::nullopt;
+  return text;
+}
+
 std::set<std::string> Parameters::findUnknown() const {
   const std::string prefix = node_.getNamespace() + "/";
   std::vector<std::string> names;

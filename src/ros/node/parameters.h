@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ class Parameters {
   std::int64_t whole(const std::string& name, std::int64_t otherwise, std::int64_t low, std::int64_t high);
   /// @brief A list of whole numbers of at least 0, or a text that is such a list in YAML.
   std::vector<std::int64_t> wholes(const std::string& name);
+  /// @brief A map, or a text that is one in YAML, as YAML; nullopt if the parameter is not set, or is something else.
+  std::optional<std::string> map(const std::string& name);
   /// @brief Whether it is set to another value than an empty text.
   bool isSet(const std::string& name);
 

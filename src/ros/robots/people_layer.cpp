@@ -77,7 +77,8 @@ void PeopleLayer::subscribe([[maybe_unused]] const std::string& source, const st
 void PeopleLayer::take(const social_crowd::AgentStates& message) {
   People people = {message.header, {}};
   for (const social_crowd::AgentState& agent : message.agents) {
-    if (agent.status != social_crowd::AgentState::WALKING) continue;
+    if (agent.status == social_crowd::AgentState::ARRIVED || agent.status == social_crowd::AgentState::REMOVED)
+      continue;
     people.people.push_back({toVector(agent.pose), toVector(agent.velocity)});
   }
   for (const social_crowd::ObstacleState& obstacle : message.obstacles) {

@@ -47,7 +47,7 @@ void addOnce(AgentId agent, std::vector<AgentId>& agents) {
 double clearanceOf(const Robot& robot, const World& world) {
   double clearance = std::numeric_limits<double>::infinity();
   for (const Agent& agent : world.agents()) {
-    if (!agent.isWalking()) continue;
+    if (!agent.isPresent()) continue;
     const double apart = distance(robot.start.footprint, robot.pose, agent.pose.position);
     clearance = std::min(clearance, apart - agent.radius);
   }

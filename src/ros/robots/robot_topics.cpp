@@ -37,7 +37,7 @@ std::vector<SeenPerson> peopleIn(const World& world, const std::vector<bool>* vi
   std::vector<SeenPerson> people;
   for (std::size_t i = 0; i < world.agents().size(); ++i) {
     const Agent& agent = world.agents().nth(i);
-    if (!agent.isWalking() || (visible != nullptr && !(*visible)[i])) continue;
+    if (!agent.isPresent() || (visible != nullptr && !(*visible)[i])) continue;
     people.push_back({std::to_string(agent.id), agent.pose, agent.velocity});
   }
   for (std::size_t i = 0; i < world.obstacles().size(); ++i) {

@@ -130,7 +130,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
                      "contact",  "order",       "seed",        "agents",   "obstacles",      "walls",
                      "map",      "free_radius", "way_finding", "routes",   "sources",        "sinks",
                      "queues",   "gates",       "robots",      "ends",     "motion",         "groups",
-                     "recorded", "kinds",       "attractions", "alarms"});
+                     "recorded", "kinds",       "attractions", "alarms",   "arrived"});
   Scenario scenario;
   scenario.source = place.file + ": document " + std::to_string(place.document);
   scenario.name = map.text("name");
@@ -155,6 +155,7 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   if (scenario.ends == Ends::ROBOTS && scenario.robots.empty()) {
     throwProblem(map.placeOf("ends"), map.need("ends"), "there are no robots");
   }
+  scenario.arrived = ARRIVALS.read(map, Arrived::LEAVE);
   scenario.recorded = readRecorded(map, scenario.tick_duration);
   readCrowd(map, units, population, scenario);
   keepUsedKinds(scenario.agents, population);

@@ -141,6 +141,7 @@ std::string toDocument(const Scene& scene, const std::string& folder) {
          (scene.contact == Contact::SOLID ? "contact: solid\n" : "") +
          (scene.motion ? "motion: " + toText(*scene.motion) + "\n" : "") +
          (scene.order == Order::SEQUENTIAL ? "order: sequential\n" : "") +
+         (scene.arrived == Arrived::STAY ? "arrived: stay\n" : "") +
          (scene.collision_radius != DEFAULT_COLLISION_RADIUS
               ? "collision_radius: " + toText(scene.collision_radius) + "\n"
               : "") +

@@ -13,7 +13,7 @@ void appendTrajectoryRows(std::uint64_t instance, const World& world, std::strin
 }
 
 bool hasTrajectoryRow(const Agent& agent, const World& world) {
-  return agent.isWalking() || (agent.hasArrived() && agent.arrival_tick == world.tick());
+  return agent.isPresent() || (agent.hasArrived() && agent.arrival_tick == world.tick());
 }
 
 void appendTrajectoryRow(std::uint64_t instance, std::uint64_t tick, AgentId agent, const Vector2& position,
