@@ -79,7 +79,8 @@ class Show:
             self.nodes.call('learner/set_learning_parameters', srv.SetLearningParameters,
                             parameters=f'{{epsilon: {self.plan.crowd_epsilon}}}')
             self.nodes.call('learner/set_mode', srv.SetMode, mode='training')
-        print(f'the crowd walks: {self.plan.episodes} episodes of {self.name()}, '
+        plural = '' if self.plan.episodes == 1 else 's'
+        print(f'the crowd walks: {self.plan.episodes} episode{plural} of {self.name()}, '
               f'{"and goes on learning" if self.plan.learning else "without learning"}', flush=True)
         self.has_begun = True
         self.nodes.call('crowd_controller/pause', SetBool, data=False)
