@@ -46,21 +46,15 @@ struct AgentResult {
     visit("path_ratio", results.path_ratio...);
     visit("time_ratio", results.time_ratio...);
     visit("turn_per_metre", results.turn_per_metre...);
-  }
-
-  /// @brief The same for each field of a record of agents.
-  template <typename Visit, typename AResult>
-  static void visitRecord(const Visit& visit, AResult& result) {
-    visitMeasures(visit, result);
-    visit("distance_gained", result.distance_gained);
-    visit("gain_per_tick", result.gain_per_tick);
-    visit("path_per_gain", result.path_per_gain);
+    visit("distance_gained", results.distance_gained...);
+    visit("gain_per_tick", results.gain_per_tick...);
+    visit("path_per_gain", results.path_per_gain...);
   }
 
   /// @brief The same for all fields.
   template <typename Visit, typename AResult>
   static void visitFields(const Visit& visit, AResult& result) {
-    visitRecord(visit, result);
+    visitMeasures(visit, result);
     visit("removed", result.removed);
     visit("out_of_reach", result.out_of_reach);
     visit("endless", result.endless);

@@ -1,30 +1,20 @@
 """Starts one learner node per agent, see scripts/learner_crew."""
 import os
-import signal
-import subprocess
 import sys
 import time
 
-import roslib.packages
 import rospy
 from social_crowd.msg import Scenario
 
-
-def ending_of(status):
-    if status >= 0:
-        return 'ended with exit status %d' % status
-    name = {number.value: ' (%s)' % number.name for number in signal.Signals}.get(-status, '')
-    return 'was killed by signal %d%s' % (-status, name)
+from .nodes import ending_of, start_node, stop_nodes
 
 
 class LearnerCrew:
     """Starts, checks and stops the learners."""
 
-    PATIENCE = 5.0  # [s] time for a learner to save its table and end
     PERIOD = 0.05  # [s] between two checks
 
     def __init__(self):
-        self.learner = roslib.packages.find_node('social_crowd', 'learner')[0]
         self.parameters = rospy.get_param('~learner', {})
         self.agents = rospy.get_param('~agents', [])  # empty: all
         self.learners = {}  # processes, by agent
@@ -40,11 +30,7 @@ class LearnerCrew:
         if parameters.get('save_to') and parameters.get('tables') != 'own':  # own tables: the learner adds it
             stem, ending = os.path.splitext(parameters['save_to'])
             parameters['save_to'] = '%s_agent_%d%s' % (stem, agent, ending)
-        # Replaces all parameters of an earlier learner with this name.
-        rospy.set_param(rospy.resolve_name(name), parameters)
-        # In its own process group, so that Ctrl-C is sent to this node only, which then stops the learners.
-        self.learners[agent] = subprocess.Popen([self.learner, '__name:=' + name, '__ns:=' + rospy.get_namespace()],
-                                                start_new_session=True)
+        self.learners[agent] = start_node('learner', name, parameters)
 
     def check(self):
         for agent, learner in self.learners.items():
@@ -63,16 +49,7 @@ class LearnerCrew:
                 self.check()
                 time.sleep(self.PERIOD)
         finally:
-            self.stop()
-
-    def stop(self):
-        for learner in self.learners.values():
-            learner.send_signal(signal.SIGINT)  # as Ctrl-C: the learner saves its table and ends
-        for learner in self.learners.values():
-            try:
-                learner.wait(self.PATIENCE)
-            except subprocess.TimeoutExpired:
-                learner.kill()
+            stop_nodes(list(self.learners.values()))
 
 
 def main():

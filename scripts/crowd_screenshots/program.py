@@ -25,6 +25,7 @@ DRAW_WALL, WALL = (690, 42), ((580, 300), (1050, 270))
 ADD_AGENT, AGENT = (476, 42), ((520, 660), (1120, 560))
 # Around the chosen agent; and the floor [pixels: width, height, left, top].
 VALUES_CROP, PEOPLE_CROP = (460, 400, 800, 220), (890, 600, 366, 84)
+THESIS_CROP, THESIS_TICKS = (640, 640, 494, 96), 120
 # From a corner of the hall of the station, over the gates.
 PEOPLE_VIEW = {'Class': 'rviz/Orbit', 'Target Frame': 'map', 'Distance': 16, 'Pitch': 0.5, 'Yaw': 5.0,
                'Focal Point': {'X': 24, 'Y': 15, 'Z': 0.5}}
@@ -40,10 +41,10 @@ WINDOW = '1080,2000'  # [pixels]; the first chapters of the report
 
 
 class Desk:
-    """Runs demo.launch with RViz on a screen of its own. Use it in a `with` statement."""
+    """Runs a launch file with RViz on a screen of its own. Use it in a `with` statement."""
 
-    def __init__(self, *arguments):
-        self.arguments = arguments
+    def __init__(self, *arguments, launch='demo.launch'):
+        self.command = ['roslaunch', 'social_crowd', launch, *arguments]
         self.folder = tempfile.TemporaryDirectory(prefix='social_crowd_screenshots_')
         self.processes = []
 
@@ -57,9 +58,9 @@ class Desk:
             self.environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE='1',
                                     ROS_MASTER_URI=f'http://127.0.0.1:{free_port()}', ROS_HOSTNAME='127.0.0.1',
                                     ROS_HOME=self.folder.name)
-            log = open(os.path.join(self.folder.name, 'launch.log'), 'wb')
-            self.processes.append(subprocess.Popen(['roslaunch', 'social_crowd', 'demo.launch', *self.arguments],
-                                                   env=self.environment, stdout=log, stderr=log))
+            self.log = os.path.join(self.folder.name, 'launch.log')
+            with open(self.log, 'wb') as log:
+                self.processes.append(subprocess.Popen(self.command, env=self.environment, stdout=log, stderr=log))
             self.wait_for(['xdotool', 'search', '--onlyvisible', '--name', 'RViz'], 'RViz')
         except BaseException:
             self.__exit__()
@@ -133,6 +134,16 @@ def values(folder):
         yield desk.take(folder / 'rviz_values.png', seconds=5.0, crop=VALUES_CROP)
 
 
+def thesis(folder):
+    """Takes a picture of a crowd with the thesis's second state set. Yields its file."""
+    with Desk(SMOOTH, launch='thesis.launch') as desk:
+        desk.wait_for(['cat', desk.log], 'the end of the training', 'the crowd walks')
+        desk.call('/crowd_controller/pause', 'true')
+        desk.call('/crowd_controller/reset', '{keep_seed: true}')
+        desk.call('/crowd_controller/step', str(THESIS_TICKS))
+        yield desk.take(folder / 'rviz_thesis.png', seconds=5.0, crop=THESIS_CROP)
+
+
 def floor(file, scenario, view, ticks):
     """Takes a picture of the people of a scenario after some ticks, from a place over the floor. Returns its file."""
     settings, = read_documents(RVIZ)
@@ -156,7 +167,7 @@ def people(folder):
 
 def rviz(folder):
     """Makes all of them in a folder. Yields their files."""
-    for pictures in (panel_and_tools, values, people):
+    for pictures in (panel_and_tools, values, thesis, people):
         yield from pictures(folder)
 
 
@@ -199,9 +210,10 @@ def report(folder):
 
 KINDS = {'rviz': rviz, 'film': film, 'report': report}
 DESCRIPTION = '''Makes pictures in docs/images: of RViz (the panel, the tools that draw on the floor, the values of
-an agent's moves, and walking people), the film of README.md, and a report.
+an agent's moves, the crowd of the thesis, and walking people), the film of README.md, and a report.
 
-Runs demo.launch on a separate screen, so that no display is needed. The picture of the report needs chromium.'''
+Runs demo.launch and thesis.launch on a separate screen, so that no display is needed. The picture of the report needs
+chromium.'''
 EXAMPLES = '''examples:
   scripts/screenshots --output /tmp
   scripts/screenshots rviz film'''

@@ -35,7 +35,7 @@ double contactShare(const EpisodeResult& result) { return shareOf(result.touched
 std::string recordHeader() {
   std::string header = "episode,scenario,agent";
   const AgentResult result;
-  AgentResult::visitRecord([&](const std::string& name, const auto& /*value*/) { header += "," + name; }, result);
+  AgentResult::visitMeasures([&](const std::string& name, const auto& /*value*/) { header += "," + name; }, result);
   return header + "\n";
 }
 
@@ -45,7 +45,7 @@ void appendRecordRows(std::uint64_t episode, const EpisodeResult& result, std::s
     const AgentResult& agent = result.agents[i];
     if (agent.removed) continue;
     rows += begin + std::to_string(i);
-    AgentResult::visitRecord([&](const char* /*name*/, const auto& value) { rows += "," + toField(value); }, agent);
+    AgentResult::visitMeasures([&](const char* /*name*/, const auto& value) { rows += "," + toField(value); }, agent);
     rows += "\n";
   }
 }

@@ -6,7 +6,7 @@ import types
 import pytest
 import rospy
 from crowd_launching import back_off
-from crowd_launching.learner_crew import ending_of
+from crowd_launching.nodes import ending_of
 from crowd_launching.rviz import MOST, draws_in_software, scale_for, sides_of
 from geometry_msgs.msg import Point, Pose2D
 from nav_msgs.msg import Odometry

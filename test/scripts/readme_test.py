@@ -23,6 +23,9 @@ WALKING = [
     DEMO + ' scenario:=circle12_varied real_time_factor:=4',
     DEMO + ' scenario:=line6_mover learners:=per_agent',
     DEMO + ' scenario:=$PWD/my.yaml mode:=training tables:=own save_to:=$PWD/my.txt',
+    'roslaunch social_crowd thesis.launch',
+    'roslaunch social_crowd thesis.launch state_set:=1 scenario:=line6_mover learning:=true training:=watched '
+    'training_episodes:=100',
     DEMO + ' q_table:=$(rospack find social_crowd)/config/q_tables/thesis_occupancy.txt',
     DEMO + ' scenario:=crowd_random_1000 nodelets:=true',
     'roslaunch social_crowd robot.launch',
@@ -46,6 +49,7 @@ SERVICES = [
     'rosservice call /crowd_controller/set_goal "{agent: 0, goal: {x: 2.0, y: -1.0}}"',
     'rosservice call /learner/set_mode training',
     'rosservice call /learner/save_q_table "{file: table.txt}"',
+    'rosservice call /learner/share_q_table "{from_agent: 0}"',
 ]
 ROBOT = [DEMO + ' scenario:=robot_hall',
          "rostopic pub -r 10 /cmd_vel geometry_msgs/Twist '{linear: {x: 0.5}, angular: {z: 0.2}}'"]

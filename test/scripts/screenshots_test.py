@@ -8,6 +8,7 @@ from programs import PATIENCE, in_package
 
 TOOL_COLOUR = 0.1, 0.45, 0.9  # of outlines
 BEST_COLOUR = 0.993, 0.906, 0.144  # of the wedge of the best move
+SECTOR_COLOUR = 0.96, 0.85, 0.66  # of a sector in which the chosen agent perceives another one
 LIKE = 0.06
 
 
@@ -35,6 +36,7 @@ class ScreenshotsTest:
         values, people = (imread(tmp_path / name) for name in ('rviz_values.png', 'rviz_people.png'))
         assert count_like(values, BEST_COLOUR) > 100
         assert people.shape[:2] == (600, 890)
+        assert count_like(imread(tmp_path / 'rviz_thesis.png'), SECTOR_COLOUR) > 1000
 
     def test_film(self, tmp_path):
         status, output = run('film', '--output', tmp_path)

@@ -50,7 +50,7 @@ constexpr double LAYER_HEIGHT = 0.02;  ///< distance between two layers [m]; RVi
 // Sizes [m].
 constexpr double PATH_WIDTH = 0.035;
 constexpr double WALL_WIDTH = 0.06;
-constexpr double RADIUS_WIDTH = 0.012;
+constexpr double RADIUS_WIDTH = 0.02;
 constexpr double CONTACT_WIDTH = 0.06;
 constexpr double CHOSEN_WIDTH = 0.025;
 constexpr double GOAL_WIDTH = 0.045;

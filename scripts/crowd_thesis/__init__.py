@@ -1,0 +1,1 @@
+"""Shows the method of the thesis: one agent trains, and a crowd uses its Q-table."""
