@@ -5,25 +5,25 @@ import yaml
 from crowd_studies.program import Report
 
 from . import crowd_judges, reward_judges, twins
-from .claim import Claim, VERDICTS, all_of
+from .claim import Claim, NOT_CONFIRMED, VERDICTS, all_of
 from .results import LEAD, READINGS, Reading, TEXTS
 
-LISTS = yaml.safe_load(pathlib.Path(__file__).with_suffix('.yaml').read_text(encoding='utf-8'))
+DECLARED = yaml.safe_load(pathlib.Path(__file__).with_suffix('.yaml').read_text(encoding='utf-8'))
 JUDGES = {**vars(crowd_judges), **vars(twins), **vars(reward_judges)}
 SHORT = dict(zip(VERDICTS, ('confirmed', 'partly', 'not')))
+OTHERS = list(READINGS)[1:]
 
 
-def claims_of(name):
+def claims_of(entries):
     return [Claim(entry['section'], entry['says'],
                   all_of([(JUDGES[judge], words) for judge, *words in entry['judges']]), entry.get('reasons', {}),
-                  entry.get('readings', True))
-            for entry in LISTS[name]['claims']]
+                  entry.get('readings', True)) for entry in entries]
 
 
 def judge(setting, claims):
     """Returns the Judgements on claims, a list for each reading. Where readings do not differ, that of the first."""
     found = {LEAD: [claim.judge(setting) for claim in claims]}
-    for reading in list(READINGS)[1:]:
+    for reading in OTHERS:
         other = Reading.of(setting, reading)
         found[reading] = [claim.judge(other) if claim.has_readings else first
                           for claim, first in zip(claims, found[LEAD])]
@@ -33,44 +33,41 @@ def judge(setting, claims):
 def report(setting):
     chapter = Report('claims', TEXTS, setting)
     chapter.say('intro')
-    verdicts = {reading: [] for reading in READINGS}
-    for name, listed in LISTS.items():
-        claims = claims_of(name)
-        found = judge(setting, claims)
-        for reading, judgements in found.items():
-            verdicts[reading] += [judgement.verdict for judgement in judgements]
-        add_claims(chapter, listed['title'], claims, found, name)
-    chapter.phrases['tally'] = tally_text(verdicts[LEAD])
-    chapter.tabulate('tally', ['reading', *VERDICTS], [
-        [READINGS[reading]['label'], *(str(given.count(verdict)) for verdict in VERDICTS)]
-        for reading, given in verdicts.items()])
+    claims = claims_of(DECLARED)
+    add_claims(chapter, claims, judge(setting, claims))
     return chapter
 
 
-def tally_text(verdicts):
-    counts = ', '.join(f'{verdicts.count(verdict)} are {verdict}' for verdict in VERDICTS)
-    return f'Of {len(verdicts)} claims of the thesis, {counts}.'
-
-
-def add_claims(chapter, title, claims, found, name):
-    """Adds the table of claims, one number each, and a table of all that was measured."""
-    others = list(READINGS)[1:]
-    chapter.add_table(title, ['section', 'claim of the thesis', 'verdict', 'number', 'with other readings'], [
-        [claim.section, claim.says, first.verdict, first.number, readings_text(first, others, found, place)]
-        for place, (claim, first) in enumerate(zip(claims, found[LEAD]))], name)
-    chapter.add_table(f'{title}: measured', ['section', 'claim of the thesis', 'measured', 'reason, if known', *(
-        READINGS[reading]['label'] for reading in others)], [
+def add_claims(chapter, claims, found):
+    """Adds the tables of verdicts with one number each, and of all that was measured; and phrases for the page."""
+    rows = list(zip(claims, *found.values()))
+    chapter.tabulate('tally', ['reading', *VERDICTS], [
+        [READINGS[reading]['label'], *(str(count) for count in counts_of(judgements))]
+        for reading, judgements in found.items()])
+    chapter.tabulate('verdicts', ['section', 'claim of the thesis', 'verdict', 'number', 'with other readings'], [
+        [claim.section, claim.says, first.verdict, first.number, readings_text(first, others)]
+        for claim, first, *others in rows])
+    chapter.tabulate('measured', ['section', 'claim of the thesis', 'measured', 'reason, if known', *(
+        READINGS[reading]['label'] for reading in OTHERS)], [
             [claim.section, claim.says, first.measured, claim.reasons.get(first.verdict, ''), *(
-                f'{SHORT[of_reading.verdict]}: {of_reading.number}' if claim.has_readings else ''
-                for of_reading in (found[reading][place] for reading in others))]
-            for place, (claim, first) in enumerate(zip(claims, found[LEAD]))], f'{name}_measured')
+                f'{SHORT[other.verdict]}: {other.number}' if claim.has_readings else '' for other in others)]
+            for claim, first, *others in rows])
+    counts = ', '.join(f'{count} are {verdict}' for verdict, count in zip(VERDICTS, counts_of(found[LEAD])))
+    never = [f'{claim.says} ({claim.section})' for claim, *judgements in rows
+             if {judgement.verdict for judgement in judgements} == {NOT_CONFIRMED}]
+    chapter.phrases['tally'] = f'Of {len(claims)} claims of the thesis, {counts}.'
+    chapter.phrases['never'] = ''.join(f'\n- {text}' for text in never) + '\n'
 
 
-def readings_text(first, others, found, place):
+def counts_of(judgements):
+    return [sum(judgement.verdict == verdict for judgement in judgements) for verdict in VERDICTS]
+
+
+def readings_text(first, others):
     """Returns the readings with another verdict, or `the same`."""
     parts = []
     for verdict in VERDICTS:
-        names = [READINGS[reading]['label'] for reading in others if found[reading][place].verdict == verdict]
+        names = [READINGS[reading]['label'] for reading, other in zip(OTHERS, others) if other.verdict == verdict]
         if verdict != first.verdict and names:
             parts.append(f'{SHORT[verdict]}: {"; ".join(names)}')
     return '. '.join(parts) or 'the same'

@@ -8,7 +8,7 @@ import typing
 import yaml
 from crowd_experiments import style
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
-from crowd_experiments.pages import Chapter, fill_document, write_page
+from crowd_experiments.pages import Chapter, fill_document, write_chapters, write_page
 from crowd_experiments.runs import RunError, execute_left, text_of
 from crowd_experiments.tools import find_config, find_tools
 from crowd_experiments.variations import Setting
@@ -89,6 +89,8 @@ class Program(typing.NamedTuple):
         chapters = self.chapters(setting, chosen)
         if arguments.document:
             print('\n'.join(fill_document(arguments.document, chapters)))
+        if arguments.pages:
+            write_chapters(pathlib.Path(arguments.pages), chapters)
         page = setting.results / 'index.html'
         page.parent.mkdir(parents=True, exist_ok=True)
         write_page(page, self.title, self.name, chapters,
@@ -110,6 +112,8 @@ class Program(typing.NamedTuple):
         add_tools(parser)
         add_file(parser, '--document', metavar='FILE.md',
                  help='also update the tables of this document, and its pictures in images/')
+        add_file(parser, '--pages', metavar='FOLDER',
+                 help='also write a Markdown page for each experiment, with the pictures that FOLDER/images contains')
         if self.needs_benchmark:
             add_file(parser, '--benchmark', metavar='FOLDER',
                      help='folder of the steering benchmark with scenarios/, reference.csv and score.py; experiments '

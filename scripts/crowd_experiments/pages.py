@@ -68,10 +68,17 @@ class Chapter:
     def tables(self):
         return [part for part in self.parts if isinstance(part, Table)]
 
-    def markdown(self):
-        parts = [f'{part.title}:\n\n{part.markdown()}\n' if isinstance(part, Table) else f'{part}\n\n'
-                 for part in self.parts if not isinstance(part, Figure)]
-        return ''.join([f'# {self.title}\n\n', *parts])
+    def markdown(self, images=None):
+        """Returns the texts and tables, with the figures that the folder `images` contains."""
+        texts = [f'# {self.title}']
+        for part in self.parts:
+            if isinstance(part, Table):
+                texts.append(f'{part.title}:\n\n{part.markdown().rstrip()}')
+            elif not isinstance(part, Figure):
+                texts.append(part)
+            elif images and (images / part.file.name).is_file():
+                texts.append(f'![]({images.name}/{part.file.name})\n\n{part.caption}')
+        return '\n\n'.join(texts) + '\n'
 
 
 def write_page(file, title, program, chapters, intro):
@@ -80,6 +87,15 @@ def write_page(file, title, program, chapters, intro):
     import jinja2  # where a page is written only, as it takes a tenth of a second
     template = jinja2.Template(TEMPLATE.read_text(encoding='utf-8'), autoescape=True, trim_blocks=True)
     file.write_text(template.render(title=title, program=program, chapters=chapters, intro=intro), encoding='utf-8')
+
+
+def write_chapters(folder, chapters):
+    """Writes a Markdown page for each chapter, and the figures that folder/images contains."""
+    for chapter in chapters:
+        (folder / f'{chapter.name}.md').write_text(chapter.markdown(folder / 'images'), encoding='utf-8')
+        for part in chapter.parts:
+            if isinstance(part, Figure) and (folder / 'images' / part.file.name).is_file():
+                shutil.copyfile(part.file, folder / 'images' / part.file.name)
 
 
 def fill_document(file, chapters):

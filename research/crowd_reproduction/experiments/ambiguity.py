@@ -32,8 +32,8 @@ def report(setting):
             '', *RATE_HEADER, 'path ratio (arrivals only)', 'decisions (arrivals only)', 'rows visited in training'], [
                 [f'{style.short_set_name(states)}, {label}, {title}',
                  *test_cells(Agent(setting, training, states, parameters), test)]
-                for training, label in TRAININGS.items() for states in SETS
-                    if parameters in PARAMETERS[states] for test, title in TESTS.items()],
+                for training, label in TRAININGS.items() for states in SETS if parameters in PARAMETERS[states]
+                for test, title in TESTS.items()],
             'twins', parameters=PARAMETER_NAMES[parameters])
     chapter.tabulate('passage', ['', 'between the obstacles %', 'around both %'], [
         [f'{PARAMETER_NAMES[parameters]}, {label}',

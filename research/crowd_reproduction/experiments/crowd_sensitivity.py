@@ -2,7 +2,7 @@
 from crowd_experiments import style
 
 from ..results import CROWD_CHOICES, LISTS, RATES, Runs, SETS, choices_of, report_of
-from .sensitivity import LEAST_ERRORS, LEAST_POINTS, THESIS, effects_text, shift
+from .sensitivity import LEAST_ERRORS, LEAST_POINTS, effects_text, strongest
 
 NAME = 'crowd_sensitivity'
 FILES = {**dict.fromkeys(LISTS['twins'], 'twins.csv'), **dict.fromkeys(LISTS['crowded'], 'demo.csv')}  # by scenarios
@@ -15,8 +15,9 @@ def report(setting):
         chapter.tabulate(f'choices_{states}', ['', *FILES], [
             [CROWD_CHOICES[variation]['label'], *(means_of(setting, states, variation, scenario) for scenario in FILES)]
             for variation in choices_of(setting, CROWD_CHOICES)], 'choices', states=name)
-        found = {choice: [strongest(setting, states, choice, scenario) for scenario in FILES]
-                 for choice in choices_tried(setting)}
+        found = {choice: [strongest(CROWD_CHOICES, choices_of(setting, CROWD_CHOICES), choice,
+                                    lambda name, scenario=scenario: rates_of(setting, states, name, scenario).success)
+                          for scenario in FILES] for choice in choices_tried(setting)}
         chapter.tabulate(f'strongest_{states}', ['', *FILES], [
             [choice, *('-' if effect is None else f'{effect[1]:+.0f} ({effect[0]})' for effect in effects)]
             for choice, effects in found.items()], 'strongest', states=name, points=LEAST_POINTS, errors=LEAST_ERRORS)
@@ -37,12 +38,3 @@ def rates_of(setting, states, variation, scenario):
 def means_of(setting, states, variation, scenario):
     means = rates_of(setting, states, variation, scenario).mean()
     return ' / '.join(f'{means[rate]:.0f}' for rate in RATES)
-
-
-def strongest(setting, states, choice, scenario):
-    """Returns the value with the strongest effect on the success, and the change [points]; None if no value has one."""
-    base = rates_of(setting, states, THESIS, scenario).success
-    shifts = {CROWD_CHOICES[name]['value']: shift(rates_of(setting, states, name, scenario).success, base)
-              for name in choices_of(setting, CROWD_CHOICES) if CROWD_CHOICES[name].get('choice') == choice}
-    value = max(shifts, key=lambda value: abs(shifts[value]))
-    return (value, shifts[value]) if shifts[value] else None

@@ -79,7 +79,7 @@ def row_name(parameters, *words):
 def headings(setting, parameters):
     """Returns the runs by heading at the start, which the thesis leaves open, and by reward."""
     varied = {heading: {reward: Runs.of(setting, 'headings', variation=f'heading_{heading}', reward=reward,
-                                          parameters=parameters)
+                                        parameters=parameters)
                         for reward in REWARDS} for heading in ('goal', 'kept')}
     return {'random': {reward: learned(setting, reward, parameters) for reward in REWARDS}, **varied}
 

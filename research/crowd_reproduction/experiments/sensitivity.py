@@ -1,4 +1,6 @@
 """Sensitivity of the rates of section 4.1 to the choices that the thesis leaves open, varied one at a time."""
+import functools
+
 import numpy
 from crowd_experiments import style
 from crowd_experiments.records import Spread
@@ -29,7 +31,8 @@ def report(setting):
                 for measure, mode, reward in CELLS]
     add_table(chapter, setting, NAME, CELLS, [['the thesis', *reported]])
     add_table(chapter, setting, 'contact', [('contact', mode, reward) for mode in MODES for reward in REWARDS], [])
-    found = {choice['name']: [strongest(setting, choice['name'], cell) for cell in CELLS]
+    found = {choice['name']: [strongest(CHOICES, choices_of(setting), choice['name'],
+                                        functools.partial(values_of, setting, cell=cell)) for cell in CELLS]
              for choice in DECLARED['choices']
              if any(CHOICES[name].get('choice') == choice['name'] for name in choices_of(setting))}
     chapter.tabulate('effects', ['', *map(column_name, CELLS)], [
@@ -60,11 +63,11 @@ def shift(values, base):
     return mean if abs(mean) >= LEAST_POINTS and abs(mean) > LEAST_ERRORS * error else 0.0
 
 
-def strongest(setting, choice, cell):
-    """Returns the value with the strongest effect on a rate, and the change [points]; None if no value has one."""
-    base = values_of(setting, THESIS, cell)
-    shifts = {CHOICES[name]['value']: shift(values_of(setting, name, cell), base)
-              for name in choices_of(setting) if CHOICES[name].get('choice') == choice}
+def strongest(choices, tried, choice, rate_of):
+    """Returns the value of a choice with the strongest effect on a rate, and the change [points]; None if no value has
+    one. `rate_of`: a function of the variation that returns the rate for each seed."""
+    shifts = {choices[name]['value']: shift(rate_of(name), rate_of(THESIS))
+              for name in tried if choices[name].get('choice') == choice}
     value = max(shifts, key=lambda value: abs(shifts[value]))
     return (value, shifts[value]) if shifts[value] else None
 
