@@ -41,6 +41,8 @@ def value_text(value):
     if isinstance(value, dict):
         within = f" within {value['episodes']} episodes" if 'episodes' in value else ''
         return f"{value['from']} to {value['to']}, {value['shape']}{within}"
+    if value is None:
+        return 'equal'
     return ', '.join(map(str, value)) if isinstance(value, list) else str(value)
 
 
@@ -69,7 +71,7 @@ def choices_of(setting, choices=MappingProxyType(CHOICES)):
 
 
 def chosen(setting, choice):
-    file = setting.experiments / f'reward_{REWARDS[0]}_thesis.yaml' if 'config' in choice else \
+    file = config_file(setting, f'reward_{REWARDS[0]}', {'reward': REWARDS[0]}) if 'config' in choice else \
         setting.scenario('single_obstacle')
     value = read_documents(file)[0]
     for key in (choice.get('config') or choice['scenario']).split('.'):
