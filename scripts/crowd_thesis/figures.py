@@ -6,6 +6,7 @@ import numpy
 from crowd_experiments.records import percent, read_csv
 from social_crowd.msg import AgentResult
 
+SCENE = 'scene.yaml'  # the crowd's first episode, with all values that were drawn
 NOT_RECORDED = 'agent', 'removed', 'max_speed_ratio'  # fields of results that records do not have, or name first
 
 
@@ -14,12 +15,12 @@ def write_record(file, results):
     fields = [name for name in AgentResult.__slots__ if name not in NOT_RECORDED]
     with open(file, 'w', encoding='utf-8') as stream:
         stream.write(','.join(['episode', 'scenario', 'agent', *fields]) + '\n')
-        for result in results:
+        for episode, result in enumerate(results):
             for agent in result.agents:
                 if not agent.removed:
                     numbers = [repr(float(value)) if isinstance(value, float) else str(int(value))
                                for value in (getattr(agent, name) for name in fields)]
-                    stream.write(','.join([str(result.instance), result.scenario, str(agent.agent), *numbers]) + '\n')
+                    stream.write(','.join([str(episode), result.scenario, str(agent.agent), *numbers]) + '\n')
 
 
 def path_per_gain(rows):
@@ -60,5 +61,6 @@ def draw(plan, curves, scenario):
     files = plan.file('learning.png'), plan.file('paths.png')
     with open(os.devnull, 'w', encoding='utf-8') as nowhere, contextlib.redirect_stdout(nowhere):
         learning.main([*(f'{title}={file}' for title, file in curves), '--output', files[0]])
-        paths.main(['--trajectories', plan.file(f'{scenario}.csv'), '--scenario', plan.scenario, '--output', files[1]])
+        paths.main(['--trajectories', plan.file(f'{scenario}.csv'), '--scenario', plan.file(SCENE),
+                    '--output', files[1]])
     return files

@@ -8,7 +8,7 @@ from social_crowd import srv
 from std_srvs.srv import SetBool
 
 from .crowd_nodes import LEARNER, CrowdNodes, NodeError, Stopped
-from .figures import draw, table_of, write_record
+from .figures import SCENE, draw, table_of, write_record
 from .plan import WATCHED, read_plan
 from .training import LEARNED, PARTS, train, train_watched, write_configuration
 
@@ -22,7 +22,7 @@ class Show:
         self.plan = plan
         self.nodes = CrowdNodes()
         self.controller = {'data_folder': str(plan.folder), 'answer_deadline': plan.answer_deadline}
-        self.has_begun = False  # the crowd
+        self.has_begun = False  # the crowd, whose figures are not printed yet
 
     def run(self):
         plan = self.plan
@@ -45,7 +45,6 @@ class Show:
         if plan.ends:
             return
         print('the crowd walks on until Ctrl-C', flush=True)
-        self.has_begun = False
         self.start_crowd(0)
         self.nodes.call('crowd_controller/pause', SetBool, data=False)
         self.nodes.wait(lambda: False)
@@ -72,6 +71,7 @@ class Show:
         answer = nodes.call('learner/share_q_table', srv.ShareQTable, from_agent=0, method='replace')
         print(f'share_q_table: {answer.message}', flush=True)
         nodes.call('crowd_controller/reset', srv.Reset, keep_seed=True)
+        nodes.call('crowd_controller/save_scenario', srv.SaveScenario, file=SCENE, overwrite=True)
 
     def let_walk(self):
         """Lets the crowd walk and, maybe, go on learning."""
@@ -87,6 +87,7 @@ class Show:
 
     def print_figures(self):
         """Prints the figures of the training and of the crowd's episodes so far."""
+        self.has_begun = False
         write_record(self.plan.file(CROWD), self.nodes.results)
         columns = [*((part.name, part.record) for part in PARTS), (self.name(), CROWD)]
         print(f'\n{table_of([(title, self.plan.file(file)) for title, file in columns])}\n\n'

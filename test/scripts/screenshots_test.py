@@ -15,7 +15,7 @@ LIKE = 0.06
 def run(*arguments):
     """Returns exit status and output of the script."""
     done = subprocess.run([in_package('scripts', 'screenshots'), *map(str, arguments)], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, timeout=2 * PATIENCE, check=False)
+                          stderr=subprocess.STDOUT, timeout=3 * PATIENCE, check=False)
     return done.returncode, done.stdout.decode()
 
 
