@@ -20,22 +20,26 @@ LEARNED = 'learned.txt'  # the table of the agent
 class Part(typing.NamedTuple):
     """A part of the training."""
     name: str
+    config: str  # the training configuration is config/learning/thesis_STATES + this
     scenario: str
     share: int  # number of its episodes, as a multiple of those of the first part
     record: str  # file in the folder
 
 
-PARTS = [Part('one obstacle', 'single_obstacle', 1, 'one_obstacle.csv'),
-         Part('several obstacles', 'training_field', 2, 'several_obstacles.csv')]
+PARTS = [Part('one obstacle', '', 'single_obstacle', 1, 'one_obstacle.csv'),
+         Part('several obstacles', '_field', 'training_field', 2, 'several_obstacles.csv')]
 
 
 def write_configuration(plan, part=None):
     """Writes the training configuration of a part, by default of the first one. Returns its file."""
     part = part or PARTS[0]
-    config, = read_documents(find_config() / 'learning' / f'thesis_{plan.states}.yaml')
+    config, = read_documents(find_config() / 'learning' / f'thesis_{plan.states}{part.config}.yaml')
     config['training'] = {'scenarios': [part.scenario], 'episodes': episodes_of(plan, part), 'seed': plan.seed}
+    learning = config['learning']
     if plan.epsilon is not None:
-        config['learning'] = {**config['learning'], 'epsilon': plan.epsilon}
+        learning['epsilon'] = plan.epsilon
+    elif isinstance(learning['epsilon'], dict):
+        learning['epsilon']['episodes'] = episodes_of(plan, part)
     file = plan.folder / f'{part.scenario}.yaml'
     file.write_text(yaml.safe_dump(config, sort_keys=False), encoding='utf-8')
     return str(file)

@@ -5,11 +5,11 @@ import pathlib
 import numpy
 import pandas
 import pytest
-from crowd_experiments.pages import Chapter
 from crowd_experiments.records import Spread, median, read_csv, read_visits, spread_text
-from crowd_reproduction import claim, results, reward_judges, reward_measures
+from crowd_reproduction import claim, claims, results, reward_judges, reward_measures
 from crowd_reproduction.experiments import sensitivity
 from crowd_experiments.variations import Setting, read_documents
+from crowd_studies.program import Report
 from programs import in_package
 
 
@@ -113,17 +113,32 @@ class ClaimTest:
         assert claim.decide_all(claim.NOT_CONFIRMED, claim.NOT_CONFIRMED) == claim.NOT_CONFIRMED
         assert claim.decide_all(claim.NOT_CONFIRMED, claim.CONFIRMED) == claim.PARTLY
 
-    def test_table(self):
-        chapter = Chapter('claims', 'Claims')
-        verdicts = (claim.CONFIRMED, claim.NOT_CONFIRMED, claim.NOT_CONFIRMED)
-        claims = [claim.Claim('4.1', 'it works', lambda _, verdict=verdict: claim.Judgement('5 of 8', verdict),
-                              {claim.NOT_CONFIRMED: 'another geometry'}) for verdict in verdicts]
-        claim.add_claims(chapter, 'Claims', claims, None, 'rewards')
-        table, text = chapter.parts
-        assert table.name == 'rewards'
-        assert table.rows == [['4.1', 'it works', '5 of 8', 'confirmed', ''],
-                              *[['4.1', 'it works', '5 of 8', 'not confirmed', 'another geometry']] * 2]
-        assert text == 'Of 3 claims: 1 confirmed, 0 partly confirmed, 2 not confirmed.'
+    def test_tables_and_phrases(self):
+        chapter = Report('claims', results.TEXTS, None)
+        listed = [claim.Claim('4.1', 'it works', None), claim.Claim('4.2', 'it fits', None,
+                                                                    {claim.NOT_CONFIRMED: 'another geometry'})]
+
+        def judged(first, second):
+            return [claim.Judgement('5 of 8', first, '5'), claim.Judgement('0 of 8', second, '0')]
+        never = judged(claim.CONFIRMED, claim.NOT_CONFIRMED)
+        found = dict.fromkeys(results.READINGS, never)
+        found['constant'] = judged(claim.PARTLY, claim.NOT_CONFIRMED)
+        claims.add_claims(chapter, listed, found)
+        tally, verdicts, measured = chapter.tables()
+        assert tally.rows[0] == ['fading epsilon, uneven sectors', '1', '0', '1']
+        assert tally.rows[3] == ['constant epsilon', '0', '1', '1']
+        assert verdicts.rows == [['4.1', 'it works', 'confirmed', '5', 'partly: constant epsilon'],
+                                 ['4.2', 'it fits', 'not confirmed', '0', 'the same']]
+        assert measured.rows[1][2:5] == ['0 of 8', 'another geometry', 'not: 0']
+        assert chapter.phrases == {
+            'tally': 'Of 2 claims of the thesis, 1 are confirmed, 0 are partly confirmed, 1 are not confirmed.',
+            'never': '\n- it fits (4.2)\n'}
+
+    def test_numbers(self):
+        # 4 and 8: mean 6, standard deviation sqrt(8); differences 1 and 3: sqrt(2); pairs without a number are left out.
+        assert claim.number_text([4.0, 8.0]) == '6.0 ± 2.8 %, 2 seeds'
+        assert claim.difference_text('a', [4.0, 8.0, math.nan], 'b', [3.0, 5.0, 1.0], 1) == (
+            'a 6.0, b 4.0 (difference ± 1.4, 2 seeds)')
 
     def test_versus(self):
         text = claim.versus('demo', [1, 4, 4], 'training', [2, 2, 2], 0)
@@ -169,20 +184,48 @@ class DeclaredRunsTest:
         assert words('walk a.txt --episodes 50|2 ~nine')[0][:9] == [
             '/tools/evaluate', '--q-table', 'a.txt', '--threads', '1', '--seed', '1003', '--episodes', '50']
         assert len(words('walk a.txt --episodes 50|2 ~nine')[0]) == 9 + 9
-        assert words('train @twins_nearest_{p} --seed {seed}', p='thesis') == [
+        assert words('train @twins_{states} --seed {seed}', states='nearest', parameters='constant') == [
             ['/tools/train', in_package('research', 'experiments', 'twins_nearest_thesis.yaml'), '--seed', '3']]
         assert words({'when': {'seed': 1}, 'run': 'walk a.txt'}) == []
         tables = [command[2] for command in words({'each': {'n': '5 6|1'}, 'run': 'walk {n:02d}.txt'})]
         assert tables == ['05.txt', '06.txt']
 
     def test_variations_change_configuration_and_scenario(self, setting):
-        command, = results.commands_of(setting, 'train @reward_cosine_cubed_thesis',
-                                       {'seed': 1, 'variation': 'heading_goal'})
+        command, = results.commands_of(setting, 'train @reward_{reward}', {
+            'seed': 1, 'variation': 'heading_goal', 'reward': 'cosine_cubed'})
         scenario, = read_documents(command[1])[0]['training']['scenarios']
         assert read_documents(scenario)[0]['agents'][0]['heading'] == 'goal'
-        command, = results.commands_of(setting, 'train @agent_single_occupancy_thesis',
-                                       {'seed': 1, 'variation': 'stay_1'})
+        command, = results.commands_of(setting, 'train @agent_single_occupancy', {'seed': 1, 'variation': 'stay_1'})
         assert read_documents(command[1])[0]['reward']['stay_cost'] == 1.0
+
+    def config(self, setting, name, **keys):
+        return read_documents(results.config_file(setting, name, keys))[0]
+
+    def test_readings(self, setting):
+        sectors = [15, 45, 90, 180]
+        lead = self.config(setting, 'agent_field_occupancy', states='occupancy')
+        assert lead['state_set']['obstacle_sectors'] == sectors
+        assert lead['learning']['epsilon'] == {'from': 0.3, 'to': 0.01, 'shape': 'exponential', 'episodes': 4000}
+        other = self.config(results.Reading.of(setting, 'uneven'), 'agent_field_occupancy', states='occupancy')
+        assert other['state_set']['obstacle_sectors'] == sectors
+        assert other['learning']['epsilon'] == 0.1
+        # The sectors of set 1 are the same in all readings; a crowd that goes on learning keeps its small epsilon.
+        assert results.parameters_of(results.Reading.of(setting, 'uneven'), {'states': 'nearest'}) == 'constant'
+        assert results.parameters_of(setting, {'reward': 'cosine_cubed'}) == 'fading'
+        assert self.config(setting, 'sharing_crowd_nearest', states='nearest')['learning']['epsilon'] == 0.01
+        # A choice replaces the value of the reading.
+        changed = self.config(setting, 'reward_cosine_cubed', reward='cosine_cubed', variation='epsilon_in_training_0.1')
+        assert changed['learning']['epsilon'] == 0.1
+
+    @pytest.mark.parametrize('states', results.SETS)
+    def test_the_measured_agent_is_the_one_that_ships(self, setting, states):
+        for part, shipped in (('single', ''), ('field', '_field')):
+            ours = self.config(setting, f'agent_{part}_{states}', states=states)
+            theirs = read_documents(setting.learning(f'thesis_{states}{shipped}'))[0]
+            assert theirs['training'].pop('seed') in setting.seeds(10)
+            for config in (ours, theirs):
+                config['training']['scenarios'] = [pathlib.Path(file).stem for file in config['training']['scenarios']]
+            assert ours == theirs
 
     def test_every_run_has_its_own_folder(self, setting):
         runs = [run for group in results.GROUPS for run in results.runs_of(setting, group)]

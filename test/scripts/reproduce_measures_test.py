@@ -70,6 +70,33 @@ class GroupsTest:
         assert measures.passing(places, obstacle, 1.5) == (2, 4)
         assert measures.passing(places, obstacle, 0.5) is None
 
+    def test_first_ticks(self):
+        # The first agent is 1 m from the middle at tick 1; the second one is never nearer than 2 m; the third one leaves.
+        places = places_of([(3, 0), (2, 0), (5, 0)], [(0, 1), (0, 2), (0.5, 0)], [(0, 0), (0, 3), (NAN, NAN)])
+        first = measures.first_ticks(places, (0, 0), 1.0)
+        assert first[[0, 2]].tolist() == [1, 1]
+        assert math.isnan(first[1])
+
+    def test_hidden_share(self):
+        # Three discs of 0.25 m on a line: each end has the middle one before the other end; the one aside, 0.6 m away
+        # from the middle one, is not hidden for anybody, and is nobody's cover.
+        places = places_of([(-0.6, 0), (0, 0), (0.6, 0), (0, 0.6)])
+        # Within 1 m of the centre: rims at most 1 m away, which all are. Each agent sees three, twelve in all; two of
+        # them, both ends from the other end, are hidden.
+        assert measures.hidden_share(places, 0.25, 1.0) == pytest.approx(100.0 * 2 / 12)
+        assert measures.hidden_share(places[:, [0, 2]], 0.25, 1.0) == 0.0
+        assert math.isnan(measures.hidden_share(places[:, :1], 0.25, 1.0))
+
+    def test_two_together_hide_a_third(self):
+        # Half angles of 20 degrees at -15 and +15 degrees cover 35 to each side; a gap between both does not.
+        half = math.radians(20)
+        covers = numpy.radians([-15.0, 15.0])
+        assert measures.is_hidden(0.0, math.radians(35), covers, numpy.array([half, half]))
+        assert not measures.is_hidden(0.0, math.radians(36), covers, numpy.array([half, half]))
+        assert not measures.is_hidden(0.0, math.radians(10), numpy.radians([-15.0, 15.0]), numpy.radians([14.0, 14.0]))
+        # Across the direction behind, where angles change from 180 to -180 degrees.
+        assert measures.is_hidden(math.pi, math.radians(5), numpy.radians([-179.0]), numpy.radians([10.0]))
+
     def test_crossing(self):
         # Crosses the line at x = 0, returns, and crosses it again between (-1, 4) and (3, 8), at y = 5.
         walk = numpy.array([[-1, 0], [1, 0], [-1, 4], [3, 8]], dtype=float)

@@ -10,10 +10,10 @@ import statistics
 import pytest
 import yaml
 from crowd_drawing.files import place_of
-from crowd_experiments.pages import Chapter
+from crowd_experiments.pages import Chapter, fill_document, write_chapters
 from crowd_experiments.runs import Run
 from crowd_experiments.variations import Setting, changed, vary_config, vary_scenario
-from crowd_reproduction import claim, claims
+from crowd_reproduction import claim, claims, reward_judges
 from programs import assert_says, in_package, read_text, tools_folder, wait_for
 
 REWARDS = ('distance_gained', 'cosine_cubed')
@@ -35,9 +35,10 @@ class ReproduceTest:
         document = runner.write('page.md', '<!-- table reward_evaluation/headings -->\n<!-- end -->\n')
         first = self.reproduce(runner, 'reward_evaluation', '--quick', '--document', document)
         assert first.wait() == 0, first.output()
-        # Two rewards, two seeds: two sets of parameters, two other headings, longer training.
-        assert len(self.stamps(runner)) == 20
-        assert read_text(document).count('\n| thesis\'s parameters, heading: ') == 12
+        # Two rewards, two seeds, two readings: better parameters (as a third), two other headings, longer training;
+        # directions with one reward.
+        assert len(self.stamps(runner)) == 4 * 3 + 4 * 2 * 2 + 4 * 2 + 2 * 2 * 2
+        assert read_text(document).count('epsilon, heading: ') == 24
         page = read_text(runner.path('results/index.html'))
         assert '4.1-4.12' in page
         assert 'research/reproduce reward_evaluation' in page
@@ -70,28 +71,31 @@ class ReproduceTest:
         """Checks that each claim about the rewards is judged from the records."""
         setting = Setting(pathlib.Path(), pathlib.Path(in_package('config')),
                           pathlib.Path(runner.path('results')), quick=True)
-        chapter = Chapter('claims', 'Claims')
-        claim.add_claims(chapter, 'Rewards', claims.claims_of('rewards'), setting, 'rewards')
-        rows = chapter.tables()[0].rows
-        assert len(rows) == len(claims.claims_of('rewards'))
-        assert {row[3] for row in rows} <= {claim.CONFIRMED, claim.PARTLY, claim.NOT_CONFIRMED}
-        arrivals = [self.success_in(runner, f'cosine_cubed_thesis_{seed:02d}/demo.csv') for seed in (1, 2)]
-        assert f'cos³ {statistics.mean(arrivals):.2f} ' in next(
-            row[2] for row in rows if row[1] == 'success in demo is "slightly better" with cos³ (%)')
+        judged = [entry for entry in claims.DECLARED
+                  if all(hasattr(reward_judges, judge) for judge, *_ in entry['judges'])]
+        assert len(judged) > 30
+        found = claims.judge(setting, claims.claims_of(judged))
+        assert [len(of_reading) for of_reading in found.values()] == [len(judged)] * 4
+        assert {one.verdict for of_reading in found.values() for one in of_reading} <= {
+            claim.CONFIRMED, claim.PARTLY, claim.NOT_CONFIRMED}
+        place, = [i for i, entry in enumerate(judged) if 'is inconclusive' in entry['says']]
+        for reading in ('fading', 'constant'):
+            arrivals = [self.success_in(runner, f'cosine_cubed_{reading}_{seed:02d}/demo.csv') for seed in (1, 2)]
+            assert f'cos³ {statistics.mean(arrivals):.2f} ' in found[reading][place].measured
 
     def check_continuation(self, runner):
         """Complete runs are kept; an incomplete one is repeated."""
         os.remove(sorted(self.stamps(runner))[0])
         again = self.reproduce(runner, 'reward_evaluation', '--quick')
         assert again.wait() == 0, again.output()
-        assert '20 runs, 19 of them done before' in again.output()
-        assert len(self.stamps(runner)) == 20
+        assert '44 runs, 43 of them done before' in again.output()
+        assert len(self.stamps(runner)) == 44
 
     def test_interrupted(self, runner):
         running = self.reproduce(runner, 'ambiguity')
         wait_for(lambda: self.stamps(runner), 'the first run')
         assert running.stop() == 130, running.output()
-        done = re.search(r'Interrupted: (\d+) of 80 runs are done and kept', running.output())
+        done = re.search(r'Interrupted: (\d+) of 160 runs are done and kept', running.output())
         assert done is not None, running.output()
         assert len(self.stamps(runner)) == int(done[1])
 
@@ -109,6 +113,33 @@ class ReproduceTest:
         unknown = self.reproduce(runner, 'alchemy')
         assert unknown.wait() == 2
         assert_says(unknown.output(), 'alchemy', 'reward_evaluation')
+
+
+class PagesTest:
+    """What is written into documents."""
+
+    def test_phrases_and_tables(self, runner):
+        chapter = Chapter('claims', 'Claims', phrases={'tally': 'Of 2 claims, 1 is confirmed.'})
+        chapter.add_table('Verdicts', ['', 'verdict'], [['one', 'confirmed']], 'verdicts')
+        document = runner.write('page.md', '# Page\n\n<!-- phrase claims/tally -->old<!-- end -->\n\n'
+                                           '<!-- table claims/verdicts -->\nold\n<!-- end -->\n'
+                                           '<!-- phrase claims/never -->kept<!-- end -->\n')
+        assert fill_document(document, [chapter]) == [f'{document}: claims/never was not measured and is left unchanged']
+        lines = read_text(document).splitlines()
+        assert lines[2] == '<!-- phrase claims/tally -->Of 2 claims, 1 is confirmed.<!-- end -->'
+        assert lines[5:8] == ['|  | verdict |', '|---|---|', '| one | confirmed |']
+        assert lines[9] == '<!-- phrase claims/never -->kept<!-- end -->'
+
+    def test_pages_of_chapters_with_the_pictures_that_are_there(self, runner):
+        shown, other = (pathlib.Path(runner.write(f'figures/{name}.png', name)) for name in ('shown', 'other'))
+        runner.write('pages/images/shown.png', 'old')
+        chapter = Chapter('one', 'Chapter one', ['Text.'])
+        chapter.add_figure(shown, 'Caption.')
+        chapter.add_figure(other, 'Not there.')
+        write_chapters(pathlib.Path(runner.path('pages')), [chapter])
+        assert read_text(runner.path('pages/one.md')) == '# Chapter one\n\nText.\n\n![](images/shown.png)\n\nCaption.\n'
+        assert read_text(runner.path('pages/images/shown.png')) == 'shown'
+        assert not os.path.exists(runner.path('pages/images/other.png'))
 
 
 class VariationsTest:

@@ -26,7 +26,7 @@ def plan(setting):
     """Returns a run for each learned model and seed, and one for the benchmark's scorer; none without a benchmark."""
     if not setting.benchmark:
         return []
-    runs = [benchmark_run(setting, run_folder(setting, model, seed), setting.learning(model), seed,
+    runs = [benchmark_run(setting, run_folder(setting, model, seed), config_of(setting, model), seed,
                           QUICK_EPISODES[model], COSTS[model]) for seed in setting.seeds(SEEDS) for model in LEARNED]
     if (setting.benchmark / SCORER).is_file():  # evaluates the shipped table with `evaluate` and with the scorer
         runs.append(Run(setting.run_folder(NAME, 'scored'), [
@@ -35,6 +35,13 @@ def plan(setting):
             [sys.executable, setting.benchmark / SCORER, setting.benchmark / 'scenarios', 'trajectories', '--csv',
              'scored.csv']], cost=20.0))
     return runs
+
+
+def config_of(setting, model):
+    """Returns the training configuration of a model. Those of the thesis's sets learn in one training, in turn with one
+    obstacle and with several."""
+    own = setting.experiments / f'steering_{model}.yaml'
+    return own if own.is_file() else setting.learning(model)
 
 
 def run_folder(setting, model, seed):

@@ -21,6 +21,7 @@ def report(setting):
         chapter.tabulate(f'strongest_{states}', ['', *FILES], [
             [choice, *('-' if effect is None else f'{effect[1]:+.0f} ({effect[0]})' for effect in effects)]
             for choice, effects in found.items()], 'strongest', states=name, points=LEAST_POINTS, errors=LEAST_ERRORS)
+        chapter.phrases[states] = effects_text(found)
         chapter.add_text(f'{name}. {effects_text(found)}')
     return chapter
 

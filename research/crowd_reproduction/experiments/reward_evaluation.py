@@ -4,7 +4,7 @@ from crowd_experiments.records import Spread, spread_text
 from crowd_experiments.variations import heading_of, read_documents
 
 from ..results import (BETTER, PARAMETERS, PARAMETER_NAMES, RATES, RATE_HEADER, REWARDS, REWARD_NAMES, Runs, SETS,
-                       report_of)
+                       THESIS, report_of)
 from ..reward_figures import add_figures
 from ..reward_measures import (MODES, THESIS_SUCCESS, collision, contact, gain_per_step, learned, of_mode,
                                path_per_gain, path_ratio, success, turning)
@@ -22,6 +22,11 @@ def report(setting):
     chapter.say('parameters')
     chapter.say('difference', **differences(setting))
     add_figures(chapter, setting)
+    chapter.tabulate('summary', ['', *(f'{mode}, {REWARD_NAMES[reward]}' for mode in MODES for reward in REWARDS)], [
+        ['the thesis', *(reported(THESIS, reward, mode) for mode in MODES for reward in REWARDS)],
+        *([PARAMETER_NAMES[parameters], *(
+            Spread(of_mode(learned(setting, reward, parameters), mode, success)).text(1, False)
+            for mode in MODES for reward in REWARDS)] for parameters in ALL)])
     thesis = ['', 'thesis: success %', *RATE_HEADER]
     chapter.tabulate('rewards', [*thesis, *RATIOS], [
         [row_name(parameters, mode, reward), reported(parameters, reward, mode),

@@ -27,6 +27,10 @@ def report(setting):
     chapter = report_of('scenarios', setting, 10, least=LEAST_SECTORS, soon=SOON)
     header = ['', *RATE_HEADER, 'episodes: all arrive, no contact %', 'episodes: all arrive, no collision %',
               'path ratio (arrivals only)', *(f'crowd trained together: {rate}' for rate in RATE_HEADER)]
+    columns = PARAMETERS['occupancy']
+    chapter.tabulate('summary', ['', *(PARAMETER_NAMES[parameters] for parameters in columns)], [
+        [scenario, *(clean_text(agents(setting, parameters), scenario) for parameters in columns)]
+        for scenario in SCENARIOS])
     chapter.tabulate('set2_thesis', header, [
         scenario_row(setting, scenario, 'occupancy', THESIS, scenario) for scenario in SCENARIOS])
     chapter.tabulate('others', header, [
@@ -51,6 +55,12 @@ def report(setting):
         for group, label in (('agents', 'one agent'), ('crowds', 'crowd trained together on a mix'))
         for states in SETS for parameters in PARAMETERS[states]])
     return chapter
+
+
+def clean_text(runs, scenario):
+    """Returns the shares of episodes in which all arrive without a contact, and without a collision [%]."""
+    shares = (runs.whole('demo.csv', scenario, incident) for incident in ('touched', 'collided'))
+    return ' / '.join(f'{share_of_seeds.mean():.0f}' for share_of_seeds in shares)
 
 
 def scenario_row(setting, scenario, states, parameters, label):

@@ -38,6 +38,7 @@ def report(setting):
     chapter.tabulate('effects', ['', *map(column_name, CELLS)], [
         [name, *('-' if effect is None else f'{effect[1]:+.1f} ({effect[0]})' for effect in effects)]
         for name, effects in found.items()], points=LEAST_POINTS, errors=LEAST_ERRORS)
+    chapter.phrases['effects'] = effects_text(found)
     chapter.add_text(effects_text(found))
     chapter.add_text(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward))
                                  for reward in REWARDS}))
