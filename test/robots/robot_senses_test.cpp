@@ -45,6 +45,21 @@ TEST(RobotSenses, DoNotSeePeopleBehindWalls) {
   EXPECT_EQ(senses.visibleBodies(world, ROBOT), std::vector<bool>{false});
 }
 
+TEST(RobotSenses, SeePeopleWhoHaveArrivedIfTheyStay) {
+  for (const bool stays : {false, true}) {
+    Scene scene = makeScene();
+    scene.agents[0].goals = {{2.0, 0.0}};
+    scene.agents[0].stays = stays;
+    World world(scene);
+    world.step({});
+    ASSERT_TRUE(world.agents()[0].hasArrived());
+    RobotSenses senses(scene);
+    EXPECT_EQ(senses.visibleBodies(world, ROBOT), std::vector<bool>{stays});
+    stays ? EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[180], 1.75F)
+          : EXPECT_TRUE(std::isinf(senses.ranges(world, ROBOT)[180]));
+  }
+}
+
 TEST(RobotSenses, SeeRecordedPeopleWhileTheyAreThere) {
   Scene scene = makeScene();
   const auto track = std::make_shared<const Track>(Track({0.0, 0.5}, {{0.0, 3.0}, {0.0, 3.0}}));
