@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "support/robots.h"
@@ -55,8 +56,8 @@ TEST(RobotSenses, SeePeopleWhoHaveArrivedIfTheyStay) {
     ASSERT_TRUE(world.agents()[0].hasArrived());
     RobotSenses senses(scene);
     EXPECT_EQ(senses.visibleBodies(world, ROBOT), std::vector<bool>{stays});
-    stays ? EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[180], 1.75F)
-          : EXPECT_TRUE(std::isinf(senses.ranges(world, ROBOT)[180]));
+    const float ahead = senses.ranges(world, ROBOT)[180];
+    EXPECT_FLOAT_EQ(ahead, stays ? 1.75F : std::numeric_limits<float>::infinity());
   }
 }
 
