@@ -167,8 +167,7 @@ TEST(ParseEpsilon, NamesWhatIsWrong) {
     return errorOf<InputError>([&] { parseEpsilon(text, "epsilon"); });
   };
   EXPECT_EQ(error("1.5"), "epsilon: line 1: expected a number from 0 to 1, got '1.5'");
-  EXPECT_EQ(error("{from: 2, to: 0, episodes: 8}"),
-            "epsilon: line 1: from: expected a number from 0 to 1, got '2'");
+  EXPECT_EQ(error("{from: 2, to: 0, episodes: 8}"), "epsilon: line 1: from: expected a number from 0 to 1, got '2'");
   EXPECT_EQ(error("{from: 1, to: 0}"), "epsilon: line 1: the key 'episodes' is missing");
   EXPECT_TRUE(contains(error("{from: 1, to: 0, episodes: 8, shape: exponential}"), "above 0"));
   EXPECT_TRUE(contains(error("{from: 1, to: 0, episodes: 8, shape: round}"), "expected linear or exponential"));

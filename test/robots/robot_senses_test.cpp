@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "support/robots.h"
@@ -43,6 +44,21 @@ TEST(RobotSenses, DoNotSeePeopleBehindWalls) {
   RobotSenses senses(scene);
   EXPECT_FLOAT_EQ(senses.ranges(world, ROBOT)[180], 1.0F);
   EXPECT_EQ(senses.visibleBodies(world, ROBOT), std::vector<bool>{false});
+}
+
+TEST(RobotSenses, SeePeopleWhoHaveArrivedIfTheyStay) {
+  for (const bool stays : {false, true}) {
+    Scene scene = makeScene();
+    scene.agents[0].goals = {{2.0, 0.0}};
+    scene.agents[0].stays = stays;
+    World world(scene);
+    world.step({});
+    ASSERT_TRUE(world.agents()[0].hasArrived());
+    RobotSenses senses(scene);
+    EXPECT_EQ(senses.visibleBodies(world, ROBOT), std::vector<bool>{stays});
+    const float ahead = senses.ranges(world, ROBOT)[180];
+    EXPECT_FLOAT_EQ(ahead, stays ? 1.75F : std::numeric_limits<float>::infinity());
+  }
 }
 
 TEST(RobotSenses, SeeRecordedPeopleWhileTheyAreThere) {

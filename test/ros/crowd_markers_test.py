@@ -141,6 +141,8 @@ class CrowdMarkersTest(unittest.TestCase):
         self.assertEqual(len(self.picture.colours('goals')), 2)
         path = {(0.0, 5.0), (1.0, 5.0), (1.5, 5.0)}
         wait_for(lambda: path | {(2.0, 0.0)} <= set(self.picture.points('paths')), 'both paths')
+        self.show(agent_at(0, 2.0, 0.0), agent_at(1, 1.5, 5.0, status=AgentState.STAYING))
+        wait_for(lambda: self.picture.body_count() == 2, 'the body of an agent that stays')
         self.show(agent_at(0, 2.0, 0.0), agent_at(1, 1.5, 5.0, status=AgentState.REMOVED))
         wait_for(lambda: len(self.picture.colours('goals')) == 1, 'no goal of the removed one')
 

@@ -2,7 +2,8 @@
 import support
 from social_crowd.msg import EpisodeResult
 
-# A circle, walls, moving obstacles, several goals, random places, solid bodies, sequential order, kept headings.
+# A circle, walls, moving obstacles, several goals, random places, solid bodies, sequential order, kept headings,
+# agents that stay where they arrive.
 SCENARIO = support.data('lockstep.yaml')
 EPISODES = 12  # so that each of the six documents is walked twice
 

@@ -72,6 +72,23 @@ TEST(RobotContact, ADiscGoesOnToTurnAtAWall) {
   EXPECT_EQ(other.robots()[0].twist.rotation, 0.0);
 }
 
+TEST(RobotContact, WithAPersonWhoHasArrivedAndStays) {
+  for (const Contact contact : {Contact::GHOST, Contact::SOLID}) {
+    Scene scene = facing(0.05);
+    scene.contact = contact;
+    scene.agents[0].goals = {scene.agents[0].position};
+    scene.agents[0].stays = true;
+    World world(scene);
+    world.step({});
+    ASSERT_EQ(world.agents()[0].status, AgentStatus::STAYING);
+    EXPECT_TRUE(world.robots()[0].contacts.empty());
+    world.robots().command(0, {{1.0, 0.0}, 0.0});
+    world.step({});
+    expectContact(world, ContactCause::ROBOT);
+    EXPECT_EQ(world.agents()[0].pose.position, scene.agents[0].position);
+  }
+}
+
 TEST(RobotContact, ARobotThatDrivesIntoAPersonStops) {
   World world = afterTick(solid(facing(0.05)), true);
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);

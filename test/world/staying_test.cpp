@@ -57,7 +57,7 @@ TEST(Staying, IsPerceivedByOthersAndPerceivesNoMore) {
   ASSERT_EQ(seen.agents.size(), 1U);
   EXPECT_EQ(seen.agents[0].agent, 1U);
   ASSERT_EQ(seen.agents[0].neighbour_count, 1U);
-  const Neighbour neighbour = Perception(seen, seen.agents[0]).neighbours[0];
+  const Neighbour neighbour = seen.neighbours[seen.agents[0].first_neighbour];
   expectVector(neighbour.position, 1.0, 0.0);  // agent 1 is at (0, 0)
   expectVector(neighbour.velocity, 0.0, 0.0);
   EXPECT_EQ(neighbour.radius, scenes::RADIUS);

@@ -21,7 +21,8 @@ namespace crowd {
 /// treated the same way, with their nearest point in place of the centre.
 ///
 /// The classes (0: empty) are the digits of a number of base 3, sector 0 first; with 8 sectors the state is
-/// 3^8 * G + code, terminal 3^8 * 8.
+/// 3^8 * G + code, terminal 3^8 * 8. The sectors of the obstacles are equal, as those of the goal are, or by limits:
+/// those of state set 1, whose number may be another one.
 class OccupancyStates : public SectorStates, public ExplainedRows {
  public:
   static constexpr const char* TYPE = "occupancy";
