@@ -135,7 +135,7 @@ class ClaimTest:
             'never': '\n- it fits (4.2)\n'}
 
     def test_numbers(self):
-        # 4 and 8: mean 6, standard deviation sqrt(8); differences 1 and 3: sqrt(2); pairs without a number are left out.
+        # 4 and 8: mean 6, standard deviation sqrt(8); differences 1, 3: sqrt(2); pairs without one are left out.
         assert claim.number_text([4.0, 8.0]) == '6.0 ± 2.8 %, 2 seeds'
         assert claim.difference_text('a', [4.0, 8.0, math.nan], 'b', [3.0, 5.0, 1.0], 1) == (
             'a 6.0, b 4.0 (difference ± 1.4, 2 seeds)')
@@ -214,8 +214,8 @@ class DeclaredRunsTest:
         assert results.parameters_of(setting, {'reward': 'cosine_cubed'}) == 'fading'
         assert self.config(setting, 'sharing_crowd_nearest', states='nearest')['learning']['epsilon'] == 0.01
         # A choice replaces the value of the reading.
-        changed = self.config(setting, 'reward_cosine_cubed', reward='cosine_cubed', variation='epsilon_in_training_0.1')
-        assert changed['learning']['epsilon'] == 0.1
+        keys = {'reward': 'cosine_cubed', 'variation': 'epsilon_in_training_0.1'}
+        assert self.config(setting, 'reward_cosine_cubed', **keys)['learning']['epsilon'] == 0.1
 
     @pytest.mark.parametrize('states', results.SETS)
     def test_the_measured_agent_is_the_one_that_ships(self, setting, states):

@@ -71,7 +71,7 @@ class GroupsTest:
         assert measures.passing(places, obstacle, 0.5) is None
 
     def test_first_ticks(self):
-        # The first agent is 1 m from the middle at tick 1; the second one is never nearer than 2 m; the third one leaves.
+        # The first agent is 1 m from the middle at tick 1; the second one is never nearer than 2 m; the third leaves.
         places = places_of([(3, 0), (2, 0), (5, 0)], [(0, 1), (0, 2), (0.5, 0)], [(0, 0), (0, 3), (NAN, NAN)])
         first = measures.first_ticks(places, (0, 0), 1.0)
         assert first[[0, 2]].tolist() == [1, 1]

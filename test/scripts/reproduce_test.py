@@ -124,7 +124,8 @@ class PagesTest:
         document = runner.write('page.md', '# Page\n\n<!-- phrase claims/tally -->old<!-- end -->\n\n'
                                            '<!-- table claims/verdicts -->\nold\n<!-- end -->\n'
                                            '<!-- phrase claims/never -->kept<!-- end -->\n')
-        assert fill_document(document, [chapter]) == [f'{document}: claims/never was not measured and is left unchanged']
+        missing = f'{document}: claims/never was not measured and is left unchanged'
+        assert fill_document(document, [chapter]) == [missing]
         lines = read_text(document).splitlines()
         assert lines[2] == '<!-- phrase claims/tally -->Of 2 claims, 1 is confirmed.<!-- end -->'
         assert lines[5:8] == ['|  | verdict |', '|---|---|', '| one | confirmed |']
@@ -137,7 +138,8 @@ class PagesTest:
         chapter.add_figure(shown, 'Caption.')
         chapter.add_figure(other, 'Not there.')
         write_chapters(pathlib.Path(runner.path('pages')), [chapter])
-        assert read_text(runner.path('pages/one.md')) == '# Chapter one\n\nText.\n\n![](images/shown.png)\n\nCaption.\n'
+        assert read_text(runner.path('pages/one.md')) == (
+            '# Chapter one\n\nText.\n\n![](images/shown.png)\n\nCaption.\n')
         assert read_text(runner.path('pages/images/shown.png')) == 'shown'
         assert not os.path.exists(runner.path('pages/images/other.png'))
 
