@@ -1,4 +1,6 @@
 """The scenarios of section 4.3: their runs, groups in them (4.22, 4.23), surrounded agents (4.25), figures 4.17-25."""
+import functools
+
 import numpy
 import pandas
 from crowd_drawing.files import read_scene, read_walks
@@ -77,6 +79,7 @@ def companions(places):
 GROUPING = {'nearest companion': companions, 'centre of the group': measures.centre_distances}
 
 
+@functools.lru_cache(maxsize=None)
 def phases(runs, measure):
     """Returns an array (seed, 4, 2): for each seed and each of TIMES the mean with the obstacle, and the mean without
     it at the same ticks [m]. The last of TIMES without the obstacle is the first arrival there."""
@@ -98,6 +101,7 @@ def last_metre(runs, scenario):
                         for seed in runs.seeds()])
 
 
+@functools.lru_cache(maxsize=None)
 def surrounded(runs, scenario, instances=numpy.inf):
     """Returns a Surrounded for each seed, from the first recorded instances."""
     found = []
@@ -123,6 +127,7 @@ def hidden_shares(runs, scenario):
                         for places in runs.tracks(seed, f'{scenario}.csv').values()]) for seed in runs.seeds()]
 
 
+@functools.lru_cache(maxsize=None)
 def by_visits(runs, scenario, least_sectors):
     return [measures.by_visits(runs.decisions(seed, scenario), runs.visits(seed), list(VISIT_CLASSES), SOON,
                                least_sectors) for seed in runs.seeds()]

@@ -1,4 +1,6 @@
 """A program that runs experiments and writes a page with their results; texts of its chapters are in a YAML file."""
+import concurrent.futures
+import itertools
 import os
 import pathlib
 import re
@@ -86,7 +88,7 @@ class Program(typing.NamedTuple):
                 print(f'{experiment.name}: left out, it needs the steering benchmark (--benchmark FOLDER)', flush=True)
         execute_left([run for experiment in chosen for run in experiment.plan(setting)], arguments.processes,
                      arguments.force)
-        chapters = self.chapters(setting, chosen)
+        chapters = self.chapters(setting, chosen, arguments.processes)
         if arguments.document:
             print('\n'.join(fill_document(arguments.document, chapters)))
         if arguments.pages:
@@ -120,20 +122,25 @@ class Program(typing.NamedTuple):
                           'that need it are left out without it')
         return parser
 
-    def chapters(self, setting, chosen):
+    def chapters(self, setting, chosen, processes):
         """Returns the chosen chapters, whose tables it prints, and all others whose runs are complete."""
-        chapters = []
-        for experiment in self.experiments:
-            runs = experiment.plan(setting)
-            if not runs or (experiment not in chosen and not all(run.is_done() for run in runs)):
-                continue
-            chapter = experiment.report(setting)
+        planned = [(experiment, experiment.plan(setting)) for experiment in self.experiments]
+        complete = [(experiment, runs) for experiment, runs in planned
+                    if runs and (experiment in chosen or all(run.is_done() for run in runs))]
+        with concurrent.futures.ProcessPoolExecutor(processes) as pool:
+            reports = [experiment.report for experiment, _ in reversed(complete)]  # the last ones take longest
+            chapters = list(pool.map(call, reports, itertools.repeat(setting)))[::-1]
+        for chapter, (experiment, runs) in zip(chapters, complete):
             chapter.commands = runs[0].lines()
             file = setting.results / 'tables' / f'{chapter.name}.md'
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(chapter.markdown(), encoding='utf-8')
-            chapters.append(chapter)
             if experiment in chosen:
                 for table in chapter.tables():
                     table.print()
         return chapters
+
+
+def call(report, setting):
+    """Returns the chapter that a report makes; a function of a module, so that other processes find it."""
+    return report(setting)
