@@ -109,17 +109,28 @@ def versus(name, values, other_name, other_values, decimals=2):
 
 
 def number_text(values, decimals=1, unit=' %'):
-    """Returns mean ± standard deviation of the finite values, and their number: 93.7 ± 1.0 %, 20 seeds."""
-    spread = Spread.of_numbers(values)
-    return f'{spread.mean:.{decimals}f} ± {spread.deviation:.{decimals}f}{unit}, {len(spread.values)} seeds'
+    """Returns mean ± standard deviation and the number of seeds: 93.7 ± 1.0 %, 20 seeds. With infinite values the
+    median (lowest-highest)."""
+    values = numpy.array(list(values), dtype=float)
+    values = values[~numpy.isnan(values)]
+    if numpy.isinf(values).any():
+        median, low, high = (f'{of(values):.{decimals}f}' for of in (numpy.median, numpy.min, numpy.max))
+        text = f'median {median}{unit} ({low}-{high})'
+    else:
+        text = f'{Spread(values).mean:.{decimals}f} ± {Spread(values).deviation:.{decimals}f}{unit}'
+    return f'{text}, {len(values)} seeds'
 
 
 def difference_text(name, values, other_name, others, decimals):
-    """Returns the means of two values, and the standard deviation of their difference."""
-    pairs = [pair for pair in zip(values, others) if numpy.isfinite(pair).all()]
+    """Returns the means of two values, and the standard deviation of their difference; with infinite values the
+    medians."""
+    pairs = [pair for pair in zip(values, others) if not numpy.isnan(pair).any()]
     if not pairs:
         return 'no seed has both'
     first, second = numpy.transpose(pairs)
+    if numpy.isinf(pairs).any():
+        median, other = (f'{numpy.median(of_seeds):.{decimals}f}' for of_seeds in (first, second))
+        return f'{name} {median}, {other_name} {other} (medians, {len(pairs)} seeds)'
     deviation = Spread(first - second).deviation
     return (f'{name} {first.mean():.{decimals}f}, {other_name} {second.mean():.{decimals}f} (difference ± '
             f'{deviation:.{decimals}f}, {len(pairs)} seeds)')

@@ -52,10 +52,10 @@ def add_claims(chapter, claims, found):
             [claim.section, claim.says, first.measured, claim.reasons.get(first.verdict, ''), *(
                 f'{SHORT[other.verdict]}: {other.number}' if claim.has_readings else '' for other in others)]
             for claim, first, *others in rows])
-    counts = ', '.join(f'{count} are {verdict}' for verdict, count in zip(VERDICTS, counts_of(found[LEAD])))
+    counts = ', '.join(f'{count} {verdict}' for verdict, count in zip(VERDICTS, counts_of(found[LEAD])))
     never = [f'{claim.says} ({claim.section})' for claim, *judgements in rows
              if {judgement.verdict for judgement in judgements} == {NOT_CONFIRMED}]
-    chapter.phrases['tally'] = f'Of {len(claims)} claims of the thesis, {counts}.'
+    chapter.phrases['tally'] = f'Of {len(claims)} claims of the thesis: {counts}.'
     chapter.phrases['never'] = ''.join(f'\n- {text}' for text in never) + '\n'
 
 

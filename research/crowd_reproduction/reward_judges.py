@@ -38,7 +38,8 @@ def scattered(setting, breadth, mode, greater, decimals=2):
     """Judges that a measure is more scattered with the one reward, by its middle half and its middle four fifths."""
     parts = {name: compare(setting, getattr(measures, breadth)(percentiles), mode, greater, decimals)
              for name, percentiles in MIDDLES.items()}
-    return joined([Judgement(f'{name}: {part.measured}', part.verdict) for name, part in parts.items()], '. ')
+    return joined([Judgement(f'{name}: {part.measured}', part.verdict, f'{name} {part.number}')
+                   for name, part in parts.items()], '. ')
 
 
 def each(setting, reward, mode, measure, sign, limit):

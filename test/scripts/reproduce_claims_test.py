@@ -131,7 +131,7 @@ class ClaimTest:
                                  ['4.2', 'it fits', 'not confirmed', '0', 'the same']]
         assert measured.rows[1][2:5] == ['0 of 8', 'another geometry', 'not: 0']
         assert chapter.phrases == {
-            'tally': 'Of 2 claims of the thesis, 1 are confirmed, 0 are partly confirmed, 1 are not confirmed.',
+            'tally': 'Of 2 claims of the thesis: 1 confirmed, 0 partly confirmed, 1 not confirmed.',
             'never': '\n- it fits (4.2)\n'}
 
     def test_numbers(self):
@@ -139,6 +139,9 @@ class ClaimTest:
         assert claim.number_text([4.0, 8.0]) == '6.0 ± 2.8 %, 2 seeds'
         assert claim.difference_text('a', [4.0, 8.0, math.nan], 'b', [3.0, 5.0, 1.0], 1) == (
             'a 6.0, b 4.0 (difference ± 1.4, 2 seeds)')
+        assert claim.number_text([1.0, math.inf, 4.0, math.nan], 0, '') == 'median 4 (1-inf), 3 seeds'
+        assert claim.difference_text('a', [4.0, math.inf, 6.0], 'b', [3.0, 5.0, 1.0], 0) == (
+            'a 6, b 3 (medians, 3 seeds)')
 
     def test_versus(self):
         text = claim.versus('demo', [1, 4, 4], 'training', [2, 2, 2], 0)
