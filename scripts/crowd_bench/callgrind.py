@@ -143,7 +143,7 @@ RUNS = (
         'evaluate', '--q-table', CONFIG / 'q_tables' / 'anticipation.txt', '--threads', '1', '--episodes', '2',
         CONFIG / 'scenarios' / 'circle12.yaml')),
     CountedRun('train', 'crowd::Training::runNextTurn()', (
-        'train', CONFIG / 'learning' / 'thesis_occupancy.yaml', '--output', 'table.txt', '--threads', '1',
+        'train', CONFIG / 'learning' / 'thesis_occupancy_field.yaml', '--output', 'table.txt', '--threads', '1',
         '--episodes', '30')),
 )
 
