@@ -131,17 +131,19 @@ class PagesTest:
         assert lines[5:8] == ['|  | verdict |', '|---|---|', '| one | confirmed |']
         assert lines[9] == '<!-- phrase claims/never -->kept<!-- end -->'
 
-    def test_pages_of_chapters_with_the_pictures_that_are_there(self, runner):
-        shown, other = (pathlib.Path(runner.write(f'figures/{name}.png', name)) for name in ('shown', 'other'))
-        runner.write('pages/images/shown.png', 'old')
+    def test_pages_of_chapters_with_the_pictures_that_are_there(self, tmp_path):
+        pages, images = tmp_path / 'pages', tmp_path / 'pages' / 'images'
+        images.mkdir(parents=True)
         chapter = Chapter('one', 'Chapter one', ['Text.'])
-        chapter.add_figure(shown, 'Caption.')
-        chapter.add_figure(other, 'Not there.')
-        write_chapters(pathlib.Path(runner.path('pages')), [chapter])
-        assert read_text(runner.path('pages/one.md')) == (
-            '# Chapter one\n\nText.\n\n![](images/shown.png)\n\nCaption.\n')
-        assert read_text(runner.path('pages/images/shown.png')) == 'shown'
-        assert not os.path.exists(runner.path('pages/images/other.png'))
+        for name in ('shown', 'other'):
+            (tmp_path / f'{name}.png').write_text(name, encoding='utf-8')
+            chapter.add_figure(tmp_path / f'{name}.png', f'Caption of {name}.')
+        (images / 'shown.png').write_text('old', encoding='utf-8')
+        write_chapters(pages, [chapter])
+        assert read_text(pages / 'one.md') == (
+            '# Chapter one\n\nText.\n\n![](images/shown.png)\n\nCaption of shown.\n')
+        assert read_text(images / 'shown.png') == 'shown'
+        assert not (images / 'other.png').exists()
 
 
 class VariationsTest:
