@@ -29,21 +29,21 @@ class Claim(typing.NamedTuple):
 
 def all_of(judges):
     """Returns a judge of a claim with several parts: functions of the Setting and of further arguments."""
-    return lambda setting: joined([part(setting, *words) for part, words in judges], '. ')
+    return lambda setting: joined([part(setting, *words) for part, words in judges], '. ', shown=2)
 
 
-def joined(parts, separator, before=''):
-    """Returns the Judgement on a claim with several parts."""
+def joined(parts, separator, before='', shown=1):
+    """Returns the Judgement on a claim with several parts, with the numbers of the first ones."""
     return Judgement(before + separator.join(part.measured for part in parts),
-                     decide_all(*(part.verdict for part in parts)), parts[0].number)
+                     decide_all(*(part.verdict for part in parts)), '; '.join(part.number for part in parts[:shown]))
 
 
-def compared(before, name, values, other_name, others, decimals=2, falls=False):
+def compared(before, name, values, other_name, others, decimals=2, falls=False, unit=''):
     """Returns the Judgement on 'the first is greater than the second', or with `falls` less."""
     values, others = list(values), list(others)
     return Judgement(before + versus(name, values, other_name, others, decimals),
                      decide_greater(others, values) if falls else decide_greater(values, others),
-                     difference_text(name, values, other_name, others, decimals))
+                     before + difference_text(name, values, other_name, others, decimals, unit))
 
 
 def decide(holds_for_mean, holds_for_seeds):
@@ -121,16 +121,16 @@ def number_text(values, decimals=1, unit=' %'):
     return f'{text}, {len(values)} seeds'
 
 
-def difference_text(name, values, other_name, others, decimals):
-    """Returns the means of two values, and the standard deviation of their difference; with infinite values the
-    medians."""
+def difference_text(name, values, other_name, others, decimals, unit=''):
+    """Returns the means of two values, and the standard deviation of their difference over the seeds; with infinite
+    values the medians."""
     pairs = [pair for pair in zip(values, others) if not numpy.isnan(pair).any()]
     if not pairs:
         return 'no seed has both'
     first, second = numpy.transpose(pairs)
     if numpy.isinf(pairs).any():
-        median, other = (f'{numpy.median(of_seeds):.{decimals}f}' for of_seeds in (first, second))
+        median, other = (f'{numpy.median(of_seeds):.{decimals}f}{unit}' for of_seeds in (first, second))
         return f'{name} {median}, {other_name} {other} (medians, {len(pairs)} seeds)'
     deviation = Spread(first - second).deviation
-    return (f'{name} {first.mean():.{decimals}f}, {other_name} {second.mean():.{decimals}f} (difference ± '
-            f'{deviation:.{decimals}f}, {len(pairs)} seeds)')
+    mean, other = (f'{of_seeds.mean():.{decimals}f}{unit}' for of_seeds in (first, second))
+    return f'{name} {mean}, {other_name} {other} (± {deviation:.{decimals}f}, {len(pairs)} seeds)'

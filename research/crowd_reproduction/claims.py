@@ -42,10 +42,12 @@ def add_claims(chapter, claims, found):
     """Adds the tables of verdicts with one number each, and of all that was measured; and phrases for the page."""
     rows = list(zip(claims, *found.values()))
     chapter.tabulate('tally', ['reading', *VERDICTS], [
-        [READINGS[reading]['label'], *(str(count) for count in counts_of(judgements))]
+        [READINGS[reading]['label'], *(str(count) for count in counts_of(
+            [judgement for claim, judgement in zip(claims, judgements) if claim.has_readings]))]
         for reading, judgements in found.items()])
     chapter.tabulate('verdicts', ['section', 'claim of the thesis', 'verdict', 'number', 'with other readings'], [
-        [claim.section, claim.says, first.verdict, first.number, readings_text(first, others)]
+        [claim.section, claim.says, first.verdict, first.number,
+         readings_text(first, others) if claim.has_readings else 'not measured']
         for claim, first, *others in rows])
     chapter.tabulate('measured', ['section', 'claim of the thesis', 'measured', 'reason, if known', *(
         READINGS[reading]['label'] for reading in OTHERS)], [
@@ -54,8 +56,8 @@ def add_claims(chapter, claims, found):
             for claim, first, *others in rows])
     counts = ', '.join(f'{count} {verdict}' for verdict, count in zip(VERDICTS, counts_of(found[LEAD])))
     never = [f'{claim.says} ({claim.section})' for claim, *judgements in rows
-             if {judgement.verdict for judgement in judgements} == {NOT_CONFIRMED}]
-    chapter.phrases['tally'] = f'Of {len(claims)} claims of the thesis: {counts}.'
+             if claim.has_readings and {judgement.verdict for judgement in judgements} == {NOT_CONFIRMED}]
+    chapter.phrases['tally'] = f'Of {len(claims)} claims and expectations of the thesis: {counts}.'
     chapter.phrases['never'] = ''.join(f'\n- {text}' for text in never) + '\n'
 
 

@@ -25,8 +25,8 @@ def filling_was_needed(setting):
     parts = []
     for scenario in ('circle6', 'circle12'):
         first, then = (agents(setting).rates(file, scenario).contact for file in ('single.csv', 'demo.csv'))
-        parts.append(compared(f'{scenario}: ', 'one obstacle', first, 'several obstacles', then, 1))
-    return joined(parts, '; ', 'contact % after each part of the training. ')
+        parts.append(compared(f'{scenario}, contact: ', 'one obstacle', first, 'several obstacles', then, 1, unit=' %'))
+    return joined(parts, '; ', 'after each part of the training. ')
 
 
 def dummies(setting):
@@ -36,7 +36,8 @@ def dummies(setting):
         texts.append(f'{scenario}, {PARAMETER_NAMES[parameters]}: {rates_sentence(rates(runs, scenario))}')
         if parameters == THESIS:
             whole.append(runs.whole(record_file(scenario), scenario, 'touched'))
-    return Judgement('; '.join(texts), decide_all(*map(graded, whole)), f'arrives {number_text(whole[0])}')
+    return Judgement('; '.join(texts), decide_all(*map(graded, whole)), f'arrives without a contact '
+                     f'{number_text(whole[0])}; with 1.6 times the distances {number_text(whole[1])}')
 
 
 def without_incidents(setting, scenario):
@@ -45,7 +46,8 @@ def without_incidents(setting, scenario):
     contact, collision = (Spread(values).text(1) for values in shares)
     return Judgement(f'{rates_text(setting, scenario)}; all agents arrive without a contact in {contact} % of the '
                      f'episodes, without a collision in {collision} %', decide_all(*map(graded, shares)),
-                     f'without a collision {number_text(shares[1])}')
+                     f'all arrive without a contact {number_text(shares[0])}; without a collision '
+                     f'{number_text(shares[1])}')
 
 
 def deviations(rows):
@@ -88,17 +90,17 @@ def remain_closer(setting):
     # Mean distances to the nearest companion before the first arrival, for each seed [m].
     apart, together = ([numpy.mean([companions(places).mean() for places in groups_of(runs, seed, scenario)])
                         for seed in runs.seeds()] for scenario in ('line6', 'same_goal6'))
-    nearer = compared('', 'line6', apart, 'same_goal6', together)
+    nearer = compared('', 'line6', apart, 'same_goal6', together, unit=' m')
     found = rates(runs, 'same_goal6')
     return Judgement(f'{rates_text(setting, "same_goal6")}; distance to the nearest companion [m]: {nearer.measured}',
                      decide_all(good_and_rare([found.success], [found.contact, found.collision]), nearer.verdict),
-                     f'[m] {nearer.number}')
+                     f'nearest companion: {nearer.number}')
 
 
 def grouping(setting):
     (start, end), (apart_start, apart_end) = (last_metre(agents(setting), scenario).T
                                               for scenario in ('same_goal6', 'line6'))
-    return joined([compared('', 'at the start', start, 'at the end', end),
+    return joined([compared('nearest companion: ', 'at the start', start, 'at the end', end, unit=' m'),
                    compared('decrease: ', 'one goal', start - end, 'line6', apart_start - apart_end)], '; ',
                   'distance to the nearest companion [m]: ')
 
@@ -115,7 +117,7 @@ def grouped_again(setting):
                              'at the first arrival', found[:, ARRIVING, 0]) for name, found in values.items()], '; ')
     free = values['nearest companion'][:, ARRIVING, 1]
     return Judgement(f'{whole.measured}; nearest companion at the first arrival, without the obstacle '
-                     f'{Spread(free).text()}', whole.verdict, f'[m] {whole.number}')
+                     f'{Spread(free).text()}', whole.verdict, whole.number)
 
 
 def twelve_like_six(setting):
@@ -143,7 +145,7 @@ def varied_speeds(setting):
     whole = compared('standard deviation of the times at which agents reach the middle (1 m) [s]: ', 'varied speeds',
                      varied, 'one speed', steady)
     return Judgement(f'{whole.measured}; contact of twelve agents that start exactly on the circle {exact} %, if they '
-                     f'also move simultaneously {together} %', whole.verdict, f'[s] {whole.number}')
+                     f'also move simultaneously {together} %', whole.verdict, whole.number)
 
 
 def suddenly_surrounded(setting):
@@ -166,7 +168,8 @@ def ventures_inside(setting):
                    OBSTACLE_RADIUS + RADIUS - CONTACT_OVERLAP for (instance, agent), tick in ever.items()]
         found.append(percent(touched))
     return Judgement(f'of the agents that were ever surrounded, {Spread.of_numbers(found).text(1)} % then have a '
-                     'contact with the obstacle', decide_each(found, lambda value: value > 0.0), number_text(found))
+                     'contact with the obstacle', decide_each(found, lambda value: value > 0.0),
+                     f'an agent does in {sum(value > 0.0 for value in found)} of {len(found)} seeds')
 
 
 def surrounded_touch(setting):
@@ -179,7 +182,7 @@ def surrounded_touch(setting):
     return Judgement(f'contact within {SOON} decisions %: '
                      f'{versus("surrounded", inside, "not surrounded", outside, 1)}; of the agents that were ever '
                      f'surrounded, {share_of_agents.text(1)} % then have a contact',
-                     decide_all(decide_greater(inside, outside), decide_each(inside, is_good)),
+                     graded(inside),
                      f'contact {number_text(inside)}')
 
 
@@ -210,18 +213,18 @@ def versatile(setting):
 
 
 def occlusion_saves(setting):
-    """Judges whether some of the bodies that are checked are hidden."""
+    """Judges whether at least one of a hundred bodies that are checked is hidden."""
     found = {scenario: hidden_shares(agents(setting), scenario) for scenario in ('circle6', 'circle12')}
     texts = [f'{scenario} {Spread(values).text(1)} %' for scenario, values in found.items()]
     return Judgement(f'bodies within the radius of vision that nearer ones hide: {", ".join(texts)}',
-                     decide_all(*(decide_each(values, lambda value: value > 0.0) for values in found.values())),
-                     number_text(found['circle12']))
+                     decide_all(*(decide_each(values, lambda value: value >= 1.0) for values in found.values())),
+                     f'hidden {number_text(found["circle12"])}')
 
 
 def costs_match_states(setting):
     """Judges whether condensed states need another cost."""
     same, other = (future_work.rates(setting, variation).contact for variation in ('condensed', 'condensed_80'))
-    return compared('contact of twelve agents with condensed states %: ', 'obstacle_cost 10', same, '80', other, 1)
+    return compared('contact of twelve agents: ', 'obstacle_cost 10', same, '80', other, 1, unit=' %')
 
 
 def shared(setting, use, place, measure='contact'):
@@ -294,11 +297,12 @@ def staying_pays(setting):
 
 
 def staying_helps(setting):
-    without = future_work.rates(setting, 'thesis').contact
-    found = {name: future_work.rates(setting, variation) for name, variation in COSTS.items()}
-    # An agent that stays forever has no contacts.
-    verdicts = [decide_greater(without, one.contact) for one in found.values() if is_good(one.success.mean())]
-    texts = [f'{name} {Spread(one.contact).text(1)}' for name, one in found.items()]
-    return Judgement(f'contact of twelve agents at varied speeds %: {Spread(without).text(1)} without the action; '
-                     f'{", ".join(texts)}; judged by the costs at which {GOOD:g} % arrive', decide_all(*verdicts),
-                     f'contact % {difference_text("without", without, "at a cost of 5", found["cost 5"].contact, 1)}')
+    """Judges whether surrounded agents have fewer contacts if they can stay, at the costs at which agents arrive."""
+    def of_surrounded(variation):
+        found = surrounded(future_work.runs_of(setting, variation), future_work.SCENARIO, future_work.WATCHED)
+        return [one.touched for one in found]
+    without = of_surrounded(THESIS)
+    parts = [compared(f'contact of agents that were surrounded, {name}: ', 'without', without, 'with the action',
+                      of_surrounded(variation), 1, unit=' %')
+             for name, variation in COSTS.items() if is_good(future_work.rates(setting, variation).success.mean())]
+    return joined(parts, '; ', f'at the costs at which {GOOD:g} % arrive. ')

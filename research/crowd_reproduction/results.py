@@ -49,13 +49,13 @@ def value_text(value):
 def variation_of(choice, value):
     label = f"{choice['name']}: {value_text(value)}"
     return re.sub(r'[^a-z0-9.]+', '_', label.lower()).strip('_'), {
-        'label': label, 'choice': choice['name'], 'value': value_text(value),
+        'label': label, 'choice': choice['name'], 'value': value_text(value), 'sets': choice.get('sets'),
         **{file: {choice[file]: value} for file in ('config', 'scenario') if file in choice}}
 
 
 def choices_in(key):
     """Returns the variations of choices by their names, that without a change first."""
-    return {'thesis_configuration': {'label': 'thesis configuration'},
+    return {'leading': {'label': 'reading that leads'},
             **dict(variation_of(choice, value) for choice in DECLARED[key] for value in choice['others'])}
 
 
@@ -109,9 +109,10 @@ def parameters_of(setting, keys):
     return name if name in PARAMETERS[states] else READINGS[name]['otherwise']
 
 
-def config_file(setting, name, keys):
+def config_file(setting, name, keys, episodes=None):
     """Returns the training configuration of a run, which is written if it is not NAME_thesis or NAME_better. An epsilon
-    of its own, other than that of the first training, is not changed by a reading."""
+    of its own, other than that of the first training, is not changed. A schedule without a length has that of the
+    training, by default the number of episodes in the file."""
     parameters, variation = parameters_of(setting, keys), VARIATIONS.get(keys.get('variation'), {})
     base = setting.experiments / f'{name}_{BETTER if parameters == BETTER else THESIS}.yaml'
     config = read_documents(base)[0]
@@ -119,18 +120,19 @@ def config_file(setting, name, keys):
     if config['learning']['epsilon'] != EPSILON:
         changes.pop('learning.epsilon', None)
     elif isinstance(changes.get('learning.epsilon'), dict):
-        changes['learning.epsilon'] = {'episodes': config['training']['episodes'], **changes['learning.epsilon']}
+        changes['learning.epsilon'] = {'episodes': episodes or config['training']['episodes'],
+                                       **changes['learning.epsilon']}
     scenarios = [scenario_file(setting, pathlib.Path(file).stem, keys.get('variation'))
                  for file in config['training']['scenarios']] if 'scenario' in variation else None
     if not changes and not scenarios:
         return base
-    return vary_config(setting, base, changes, '_'.join([name, parameters, *filter(None, [keys.get('variation')])]),
-                       scenarios)
+    words = [name, parameters, keys.get('variation'), episodes and str(episodes)]
+    return vary_config(setting, base, changes, '_'.join(filter(None, words)), scenarios)
 
 
-def words_of(setting, word, keys):
+def words_of(setting, word, keys, episodes=None):
     if word.startswith('@'):
-        return [config_file(setting, word[1:], keys)]
+        return [config_file(setting, word[1:], keys, episodes)]
     if word.startswith('~'):
         return [scenario_file(setting, name, keys.get('variation')) for name in LISTS.get(word[1:], [word[1:]])]
     full, bar, quick = word.partition('|')
@@ -140,7 +142,9 @@ def words_of(setting, word, keys):
 def commands_of(setting, declared, keys):
     """Yields the commands of a declared one, which may be for certain runs only, or for several values."""
     if isinstance(declared, str):
-        words = [part for word in declared.format(**keys).split() for part in words_of(setting, word, keys)]
+        text = declared.format(**keys).split()
+        episodes = int(words_of(setting, text[text.index('--episodes') + 1], keys)[0]) if '--episodes' in text else None
+        words = [part for word in text for part in words_of(setting, word, keys, episodes)]
         if words[0] == 'walk':
             words[:2] = ['evaluate', '--q-table', words[1], '--threads', 1, '--seed', DEMO_SEED + keys['seed']]
         yield [setting.tools / words[0], *words[1:]]
@@ -175,8 +179,9 @@ def plan(experiment):
 def runs_of(setting, group):
     declared = GROUPS[group]
     for keys in combinations(setting, {'seed': setting.seeds(declared['seeds']), **declared['each']}):
-        if 'parameters' in keys and parameters_of(setting, keys) != keys['parameters']:
-            continue
+        is_other = 'parameters' in keys and parameters_of(setting, keys) != keys['parameters']
+        if is_other or VARIATIONS.get(keys.get('variation'), {}).get('sets') not in (None, keys.get('states')):
+            continue  # the same as another run, or of the other state set
         yield Run(Runs.of(setting, group, **keys).folder(keys['seed']), [
             command for line in declared['commands'] for command in commands_of(setting, line, keys)], declared['cost'])
 

@@ -22,6 +22,13 @@ MIDDLES = {'middle half': (25, 75), 'four fifths': (10, 90)}
 CONDITIONS = {'<=': operator.le, '<': operator.lt, '>': operator.gt, '>=': operator.ge}
 
 
+UNITS = {'success': ' %', 'collision': ' %', 'gain_per_step': ' m', 'shortfall': ' m', 'turning': ' rad/m'}
+
+
+def unit_of(measure):
+    return UNITS.get(measure, '') if isinstance(measure, str) else ''
+
+
 def measured(setting, reward, mode, measure):
     """Returns a measure, given by its name or as a function, for each seed."""
     return of_mode(learned(setting, reward), mode, getattr(measures, measure) if isinstance(measure, str) else measure)
@@ -31,7 +38,7 @@ def compare(setting, measure, mode, greater, decimals=2):
     """Judges that a measure is greater with the one reward than with the other."""
     other = next(reward for reward in REWARDS if reward != greater)
     return compared('', REWARD_NAMES[greater], measured(setting, greater, mode, measure), REWARD_NAMES[other],
-                    measured(setting, other, mode, measure), decimals)
+                    measured(setting, other, mode, measure), decimals, unit=unit_of(measure))
 
 
 def scattered(setting, breadth, mode, greater, decimals=2):
@@ -46,7 +53,7 @@ def each(setting, reward, mode, measure, sign, limit):
     values = measured(setting, reward, mode, measure)
     return Judgement(f'{REWARD_NAMES[reward]} {spread_text(values)}',
                      decide_each(values, lambda value: CONDITIONS[sign](value, limit)),
-                     f'{REWARD_NAMES[reward]} {number_text(values, 2, "")}')
+                     f'{REWARD_NAMES[reward]} {number_text(values, 2, unit_of(measure))}')
 
 
 def number(setting, reward, mode):
@@ -91,15 +98,15 @@ def separation(setting, reward):
 
 def less_in_demo(setting, reward):
     training, demo = (measured(setting, reward, mode, 'success') for mode in MODES)
-    return compared(f'{REWARD_NAMES[reward]}: ', 'training', training, 'demo', demo)
+    return compared(f'{REWARD_NAMES[reward]}: ', 'training', training, 'demo', demo, unit=' %')
 
 
 def longer(setting, reward, measure, rises):
     """Judges that more training improves a rate in demo."""
     more = of_mode(Runs.of(setting, 'longer', reward=reward), 'demo', getattr(measures, measure))
     name, usual_name = (f'{number:,} episodes' for number in setting.count((8000, 2000), (80, 40)))
-    return compared(f'{REWARD_NAMES[reward]}: ', name, more, usual_name, measured(setting, reward, 'demo', measure),
-                    falls=not rises)
+    return compared(f'{REWARD_NAMES[reward]}, {measure}: ', name, more, usual_name,
+                    measured(setting, reward, 'demo', measure), falls=not rises, unit=unit_of(measure))
 
 
 def inconclusive(setting, measure, mode):
@@ -136,7 +143,7 @@ def more_decisions(setting, reward):
     patient = learned(setting, reward).record('patient.csv')
     usual = measured(setting, reward, 'demo', lambda rows: measures.success(rows[:patient['episode'].nunique()]))
     return compared(f'{REWARD_NAMES[reward]}: ', '8,000 decisions', per_seed(patient, measures.success),
-                    '2,000 decisions', usual)
+                    '2,000 decisions', usual, unit=' %')
 
 
 def quarter(measure, last):
@@ -151,7 +158,8 @@ def in_course(setting, reward, measure, falls):
     """Judges that a rate decreases, or increases, in the course of the training."""
     first, last = (measured(setting, reward, 'training', quarter(getattr(measures, measure), is_last))
                    for is_last in (False, True))
-    return compared(f'{REWARD_NAMES[reward]}: ', 'first quarter', first, 'last quarter', last, falls=not falls)
+    return compared(f'{REWARD_NAMES[reward]}: ', 'first quarter', first, 'last quarter', last, falls=not falls,
+                    unit=unit_of(measure))
 
 
 def training_differs(setting, reward):
@@ -169,7 +177,7 @@ def similar_success(setting):
     gain, cosine = (numpy.array(measured(setting, reward, 'demo', 'success')) for reward in REWARDS)
     return Judgement(f'cos³ minus distance gained: {spread_text(cosine - gain)} points',
                      decide(abs((cosine - gain).mean()) <= SIMILAR, numpy.abs(cosine - gain) <= SIMILAR),
-                     f'cos³ more by {number_text(cosine - gain, unit=" points")}')
+                     f'cos³ less distance gained {number_text(cosine - gain, unit=" points")}')
 
 
 def mostly_free(setting, reward):

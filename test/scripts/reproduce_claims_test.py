@@ -131,14 +131,14 @@ class ClaimTest:
                                  ['4.2', 'it fits', 'not confirmed', '0', 'the same']]
         assert measured.rows[1][2:5] == ['0 of 8', 'another geometry', 'not: 0']
         assert chapter.phrases == {
-            'tally': 'Of 2 claims of the thesis: 1 confirmed, 0 partly confirmed, 1 not confirmed.',
+            'tally': 'Of 2 claims and expectations of the thesis: 1 confirmed, 0 partly confirmed, 1 not confirmed.',
             'never': '\n- it fits (4.2)\n'}
 
     def test_numbers(self):
         # 4 and 8: mean 6, standard deviation sqrt(8); differences 1, 3: sqrt(2); pairs without one are left out.
         assert claim.number_text([4.0, 8.0]) == '6.0 ± 2.8 %, 2 seeds'
         assert claim.difference_text('a', [4.0, 8.0, math.nan], 'b', [3.0, 5.0, 1.0], 1) == (
-            'a 6.0, b 4.0 (difference ± 1.4, 2 seeds)')
+            'a 6.0, b 4.0 (± 1.4, 2 seeds)')
         assert claim.number_text([1.0, math.inf, 4.0, math.nan], 0, '') == 'median 4 (1-inf), 3 seeds'
         assert claim.difference_text('a', [4.0, math.inf, 6.0], 'b', [3.0, 5.0, 1.0], 0) == (
             'a 6, b 3 (medians, 3 seeds)')
@@ -162,8 +162,8 @@ class SensitivityTest:
     def test_text(self):
         text = sensitivity.effects_text({'radius': [None, ('0.2', 1.5)], 'epsilon': [('0.3', -20.25), ('0.2', 3.0)],
                                          'order': [None, None]})
-        assert text == ('Choices with an effect: epsilon changes 2 of 2 rates, by up to 20.2 points; radius changes 1 '
-                        'of 2 rates, by up to 1.5 points. No effect found: order.')
+        assert text == ('Choices with an effect: epsilon changes 2 rates, by up to 20.2 points; radius changes 1 rates, '
+                        'by up to 1.5 points. No effect found: order.')
 
     def test_spread_of_demo(self):
         text = sensitivity.swing_text({'distance_gained': [100.0, 0.0], 'cosine_cubed': [26.5, 80.0]})

@@ -77,7 +77,7 @@ def effects_text(found):
     """Returns a text about the strongest changes, given by choice, from the choice that changes most rates."""
     moved = {name: [effect for effect in effects if effect] for name, effects in found.items()}
     order = sorted(moved, key=lambda name: -len(moved[name]))
-    parts = [f'{name} changes {len(moved[name])} of {len(found[name])} rates, by up to '
+    parts = [f'{name} changes {len(moved[name])} rates, by up to '
              f'{max(abs(points) for _, points in moved[name]):.1f} points' for name in order if moved[name]]
     still = [name for name in order if not moved[name]]
     text = f'Choices with an effect: {"; ".join(parts) if parts else "none"}.'
@@ -88,7 +88,7 @@ def swing_text(values):
     """Returns a text on the spread of the rates in demo; `values` has the success in demo by the reward."""
     parts = [f'{REWARD_NAMES[reward]} {min(rates_in_demo):.1f} to {max(rates_in_demo):.1f} %'
              for reward, rates_in_demo in values.items()]
-    return (f'With the thesis configuration, success in demo already varies between seeds ({", ".join(parts)}). So '
+    return (f'With the reading that leads, success in demo already varies between seeds ({", ".join(parts)}). So '
             f'{len(next(iter(values.values())))} seeds show only large changes of the rates in demo.')
 
 
