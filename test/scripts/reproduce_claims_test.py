@@ -162,8 +162,8 @@ class SensitivityTest:
     def test_text(self):
         text = sensitivity.effects_text({'radius': [None, ('0.2', 1.5)], 'epsilon': [('0.3', -20.25), ('0.2', 3.0)],
                                          'order': [None, None]})
-        assert text == ('Choices with an effect: epsilon changes 2 rates, by up to 20.2 points; radius changes 1 rates, '
-                        'by up to 1.5 points. No effect found: order.')
+        assert text == ('Choices with an effect: epsilon (2 rates, by up to 20.2 points); radius (1 rate, by up to 1.5 '
+                        'points). No effect found: order.')
 
     def test_spread_of_demo(self):
         text = sensitivity.swing_text({'distance_gained': [100.0, 0.0], 'cosine_cubed': [26.5, 80.0]})

@@ -77,8 +77,8 @@ def effects_text(found):
     """Returns a text about the strongest changes, given by choice, from the choice that changes most rates."""
     moved = {name: [effect for effect in effects if effect] for name, effects in found.items()}
     order = sorted(moved, key=lambda name: -len(moved[name]))
-    parts = [f'{name} changes {len(moved[name])} rates, by up to '
-             f'{max(abs(points) for _, points in moved[name]):.1f} points' for name in order if moved[name]]
+    parts = [f'{name} ({len(moved[name])} rate{"s" * (len(moved[name]) > 1)}, by up to '
+             f'{max(abs(points) for _, points in moved[name]):.1f} points)' for name in order if moved[name]]
     still = [name for name in order if not moved[name]]
     text = f'Choices with an effect: {"; ".join(parts) if parts else "none"}.'
     return text + (f' No effect found: {"; ".join(still)}.' if still else '')

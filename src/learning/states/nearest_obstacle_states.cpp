@@ -100,7 +100,10 @@ std::string NearestObstacleStates::spec() const {
 RowMeaning NearestObstacleStates::meaning() const {
   RowQuantity obstacle{"nearest obstacle", {"none"}};
   for (const std::string& sector : namesOf(obstacle_sectors_)) {
-    for (const std::string& distance : namesOf(distances())) obstacle.classes.push_back(sector + ", " + distance);
+    for (const std::string& distance : namesOf(distances())) {
+      obstacle.classes.push_back(sector + ", ");
+      obstacle.classes.back() += distance;
+    }
   }
   RowMeaning meaning{{{"goal", namesOf(goal_sectors_)}, std::move(obstacle)}, {}, true};
   for (Row row = 0; row < terminal(); ++row) {
