@@ -61,6 +61,16 @@ def percent(flags):
     return 100.0 * float(numpy.mean(flags)) if len(flags) else float('nan')
 
 
+def ratios_per_gain(rows):
+    """Returns the path per distance gained of all rows; infinite if no distance was gained."""
+    return numpy.where(numpy.isnan(rows['path_per_gain']), numpy.inf, rows['path_per_gain'])
+
+
+def path_per_gain(rows):
+    """Returns the path per distance gained, median over all rows."""
+    return float(numpy.median(ratios_per_gain(rows)))
+
+
 def finite(values):
     return values[numpy.isfinite(values)]
 

@@ -3,10 +3,11 @@ import contextlib
 import os
 
 import numpy
-from crowd_experiments.records import percent, read_csv
+from crowd_experiments.records import path_per_gain, percent, read_csv
 from social_crowd.msg import AgentResult
 
 SCENE = 'scene.yaml'  # the crowd's first episode, with all values that were drawn
+TRAJECTORIES = 'trajectories'  # folder: a scenario may have the name of a record
 NOT_RECORDED = 'agent', 'removed', 'max_speed_ratio'  # fields of results that records do not have, or name first
 
 
@@ -21,12 +22,6 @@ def write_record(file, results):
                     numbers = [repr(float(value)) if isinstance(value, float) else str(int(value))
                                for value in (getattr(agent, name) for name in fields)]
                     stream.write(','.join([str(episode), result.scenario, str(agent.agent), *numbers]) + '\n')
-
-
-def path_per_gain(rows):
-    """Returns the median over agents and episodes; an agent that gained no distance counts as infinite."""
-    ratios = rows['path_per_gain']
-    return float(numpy.median(numpy.where(numpy.isnan(ratios), numpy.inf, ratios)))
 
 
 FIGURES = [
@@ -61,6 +56,6 @@ def draw(plan, curves, scenario):
     files = plan.file('learning.png'), plan.file('paths.png')
     with open(os.devnull, 'w', encoding='utf-8') as nowhere, contextlib.redirect_stdout(nowhere):
         learning.main([*(f'{title}={file}' for title, file in curves), '--output', files[0]])
-        paths.main(['--trajectories', plan.file(f'{scenario}.csv'), '--scenario', plan.file(SCENE),
+        paths.main(['--trajectories', plan.file(f'{TRAJECTORIES}/{scenario}.csv'), '--scenario', plan.file(SCENE),
                     '--output', files[1]])
     return files

@@ -52,14 +52,15 @@ class Parameters:
         return default
 
     def one_of(self, name, default, values):
-        return self.read(name, default, lambda value: value in values, ' or '.join(map(str, values)))
+        return self.read(name, default, lambda value: value in values and not isinstance(value, bool),
+                         ' or '.join(map(str, values)))
 
     def flag(self, name, default):
         return self.read(name, default, lambda value: isinstance(value, bool), 'true or false')
 
     def whole(self, name, default, least):
-        return self.read(name, default, lambda value: is_number(value) and value >= least and value == int(value),
-                         f'a whole number from {least}')
+        return int(self.read(name, default, lambda value: is_number(value) and value >= least and value == int(value),
+                             f'a whole number from {least}'))
 
     def number(self, name, default, low, high):
         return self.read(name, default, lambda value: is_number(value) and low <= value <= high,
@@ -69,6 +70,15 @@ class Parameters:
         """Returns a factor of real time, as the crowd controller takes it."""
         return str(self.read(name, default, lambda value: value == FAST or is_number(value) and 0 <= value <= 1e6,
                              f"'{FAST}' or a number from 0 to 1e+06"))
+
+    def parsed(self, name):
+        """Returns a parameter; a text is read as YAML. None if it is not set, or is not YAML."""
+        value = rospy.get_param('~' + name, '')
+        try:
+            return yaml.safe_load(value) if isinstance(value, str) else value
+        except (yaml.YAMLError, ValueError) as error:  # ValueError: a date that does not exist
+            self.problems.append(f"~{name}: not YAML: {' '.join(str(error).split())}")
+            return None
 
     def scenario(self, name, default):
         value = str(rospy.get_param('~' + name, '') or default)
@@ -86,7 +96,6 @@ def is_number(value):
 def read_plan():
     """Returns the Plan. Raises InputError with all parameters that are wrong."""
     read = Parameters()
-    epsilon = rospy.get_param('~epsilon', '')
     folder = rospy.get_param('~data_folder', '') or os.path.join(rospkg.get_ros_home(), 'social_crowd', 'thesis')
     plan = Plan(
         states=STATE_SETS[read.one_of('state_set', 2, tuple(STATE_SETS))],
@@ -100,7 +109,7 @@ def read_plan():
         seed=read.whole('seed', 1, 0),
         real_time_factor=read.factor('real_time_factor', '4'),
         # A number, or a schedule, which the learner checks as a part of its configuration.
-        epsilon=None if epsilon == '' else yaml.safe_load(epsilon) if isinstance(epsilon, str) else epsilon,
+        epsilon=read.parsed('epsilon'),
         crowd_epsilon=read.number('crowd_epsilon', 0.01, 0, 1),
         answer_deadline=read.number('answer_deadline', 1.0, 0.001, 3600),
         folder=pathlib.Path(folder).absolute())

@@ -8,7 +8,7 @@ from social_crowd import srv
 from std_srvs.srv import SetBool
 
 from .crowd_nodes import LEARNER, CrowdNodes, NodeError, Stopped
-from .figures import SCENE, draw, table_of, write_record
+from .figures import SCENE, TRAJECTORIES, draw, table_of, write_record
 from .plan import WATCHED, read_plan
 from .training import LEARNED, PARTS, train, train_watched, write_configuration
 
@@ -30,9 +30,9 @@ class Show:
         self.start_learner()
         if plan.training == WATCHED:
             train_watched(plan, self.nodes, self.controller)
-            self.start_crowd(plan.episodes, trajectories=str(plan.folder))
+            self.start_crowd(plan.episodes, trajectories=plan.file(TRAJECTORIES))
         else:
-            self.start_crowd(plan.episodes, trajectories=str(plan.folder))  # it stands meanwhile
+            self.start_crowd(plan.episodes, trajectories=plan.file(TRAJECTORIES))  # it stands meanwhile
             train(plan, self.nodes)
         self.share()
         self.let_walk()

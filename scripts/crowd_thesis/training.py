@@ -30,9 +30,8 @@ PARTS = [Part('one obstacle', '', 'single_obstacle', 1, 'one_obstacle.csv'),
          Part('several obstacles', '_field', 'training_field', 2, 'several_obstacles.csv')]
 
 
-def write_configuration(plan, part=None):
-    """Writes the training configuration of a part, by default of the first one. Returns its file."""
-    part = part or PARTS[0]
+def configuration_of(plan, part):
+    """Returns the training configuration of a part."""
     config, = read_documents(find_config() / 'learning' / f'thesis_{plan.states}{part.config}.yaml')
     config['training'] = {'scenarios': [part.scenario], 'episodes': episodes_of(plan, part), 'seed': plan.seed}
     learning = config['learning']
@@ -40,8 +39,14 @@ def write_configuration(plan, part=None):
         learning['epsilon'] = plan.epsilon
     elif isinstance(learning['epsilon'], dict):
         learning['epsilon']['episodes'] = episodes_of(plan, part)
+    return config
+
+
+def write_configuration(plan, part=None):
+    """Writes the training configuration of a part, by default of the first one. Returns its file."""
+    part = part or PARTS[0]
     file = plan.folder / f'{part.scenario}.yaml'
-    file.write_text(yaml.safe_dump(config, sort_keys=False), encoding='utf-8')
+    file.write_text(yaml.safe_dump(configuration_of(plan, part), sort_keys=False), encoding='utf-8')
     return str(file)
 
 
@@ -81,6 +86,9 @@ def train_watched(plan, nodes, controller):
     parameters of the controller."""
     for part in PARTS:
         announce(plan, part)
+        # Before the controller begins: each part has a schedule of its own, from the controller's episode 0.
+        nodes.call('learner/set_learning_parameters', srv.SetLearningParameters,
+                   parameters=yaml.safe_dump(configuration_of(plan, part)['learning']))
         nodes.start_controller(**{**controller, 'real_time_factor': plan.training_factor},
                                config=write_configuration(plan, part), seed=plan.seed,
                                episodes=episodes_of(plan, part))

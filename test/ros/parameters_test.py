@@ -182,7 +182,8 @@ class LearnerParametersTest(RefusalTestCase):
                          '~on_share: expected replace or merge, ',
                          '~alpha: expected a number above 0, at most 1, got 2',
                          '~gamma: expected a number from 0 to below 1, got 1',
-                         "~epsilon: expected a number from 0 to 1, got 'lots'")
+                         "~epsilon: expected a number from 0 to 1 or a schedule {from, to, episodes, shape}, "
+                         "got 'lots'")
 
     def test_list_from_the_command_line(self):
         """roscpp sets a list from the command line as a text."""

@@ -2,6 +2,7 @@
 """thesis.launch: one agent trains, its table is shared with a crowd, and the figures of the run are printed."""
 import os
 import re
+import shutil
 
 import numpy
 import support
@@ -44,9 +45,11 @@ class ThesisTest(LaunchTestCase):
         self.assertEqual(printed, expected)
 
     def test_all_agents_walk_with_the_shared_table(self):
-        """Without learning, the tables do not change, and the crowd walks as it does without ROS."""
+        """Without learning, the tables do not change, and the crowd walks as it does without ROS. The scenario has the
+        name of a record."""
         topic = self.listen('episode_results', EpisodeResult)
-        launched = self.show()
+        scenario = shutil.copy(support.CIRCLE6, self.path('crowd.yaml'))
+        launched = self.show(scenario=scenario)
         self.assert_ends_well(launched)
         self.assert_says(launched.output(), 'the Q-table of agent 0: replaced the table of agents 1, 2, 3, 4, 5',
                          'without learning', self.path('paths.png'), self.path('learning.png'))
@@ -55,8 +58,10 @@ class ThesisTest(LaunchTestCase):
         self.assertEqual(self.crowd_rows(), [learned] * AGENTS)
         self.check_figures(launched, topic.messages)
         self.tool('evaluate', '--q-table', self.path('learned.txt'), '--episodes', EPISODES, '--seed', 3, '--record',
-                  self.path('headless.csv'), 'circle6')
+                  self.path('headless.csv'), '--trajectories', self.path('headless'), scenario)
         self.assertEqual(support.read_text(self.path('crowd.csv')), support.read_text(self.path('headless.csv')))
+        self.assertEqual(support.read_text(self.path('trajectories/crowd.csv')),
+                         support.read_text(self.path('headless/crowd.csv')))
         for picture in ('paths.png', 'learning.png'):
             self.assertGreater(os.path.getsize(self.path(picture)), 10_000)
 
@@ -90,20 +95,21 @@ class ThesisTest(LaunchTestCase):
     def test_crowd_walks_on_after_the_figures(self):
         """With ends:=false the launch stays."""
         topic = self.listen('episode_results', EpisodeResult)
-        launched = self.show(ends='false', episodes=1)
+        launched = self.show(ends='false', episodes=1.0)
         topic.wait(lambda _: 'the crowd walks on' in launched.output() and len(topic.messages) > 1, 'after the figures')
         self.assertEqual(launched.stop(), 0)
         self.assertEqual(launched.output().count('distance gained per step [m]'), 1)
 
     def test_wrong_arguments(self):
         """All of them are named, before anything is trained."""
-        launched = self.show(state_set=3, scenario='circle_6', training='slow', training_episodes=0, learning='maybe',
-                             real_time_factor=-1, crowd_epsilon=2)
+        launched = self.show(state_set='true', scenario='circle_6', training='slow', training_episodes=0, learning='maybe',
+                             real_time_factor=-1, crowd_epsilon=2, epsilon='{from: 0.3')
         self.assert_ends_with(
-            launched, "~state_set: expected 1 or 2, got '3'", "no scenario 'circle_6', did you mean 'circle6'?",
+            launched, "~state_set: expected 1 or 2, got 'True'", "no scenario 'circle_6', did you mean 'circle6'?",
             "~training: expected fast or watched, got 'slow'",
             "~training_episodes: expected a whole number from 1, got '0'", '~learning: expected true or false',
-            "~real_time_factor: expected 'fast' or a number from 0", '~crowd_epsilon: expected a number from 0 to 1')
+            "~real_time_factor: expected 'fast' or a number from 0", '~crowd_epsilon: expected a number from 0 to 1',
+            '~epsilon: not YAML: ')
         self.assertNotIn('trains alone', launched.output())
 
     def test_wrong_epsilon(self):

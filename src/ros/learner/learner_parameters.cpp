@@ -42,7 +42,8 @@ void readEpsilon(Parameters& parameters, LearningPlan& plan) {
   const std::optional<std::string> schedule = parameters.map("epsilon");
   LearningParameters& changed = plan.parameters;
   if (!schedule) {
-    changed.epsilon = parameters.number("epsilon", changed.epsilon, LearningParameters::FRACTION);
+    changed.epsilon = parameters.number("epsilon", changed.epsilon, LearningParameters::FRACTION,
+                                        " or a schedule {from, to, episodes, shape}");
     if (parameters.isSet("epsilon")) plan.epsilon = EpsilonSchedule::constant(changed.epsilon);
     return;
   }

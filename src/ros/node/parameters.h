@@ -27,11 +27,14 @@ class Parameters {
   /// @param expected describes the valid texts
   std::string text(const std::string& name, const std::string& otherwise, const std::string& expected = "a text");
   bool flag(const std::string& name, bool otherwise);
-  double number(const std::string& name, double otherwise, const NumberRange& range);
+  /// @param alternative what else the caller accepts, for errors, such as " or a schedule"
+  double number(const std::string& name, double otherwise, const NumberRange& range,
+                const std::string& alternative = "");
   std::int64_t whole(const std::string& name, std::int64_t otherwise, std::int64_t low, std::int64_t high);
   /// @brief A list of whole numbers of at least 0, or a text that is such a list in YAML.
   std::vector<std::int64_t> wholes(const std::string& name);
-  /// @brief A map, or a text that is one in YAML, as YAML; nullopt if the parameter is not set, or is something else.
+  /// @brief A map, or a text that begins with '{', as YAML, unchecked; nullopt if the parameter is not set, or is
+  /// something else.
   std::optional<std::string> map(const std::string& name);
   /// @brief Whether it is set to another value than an empty text.
   bool isSet(const std::string& name);
