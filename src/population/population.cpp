@@ -151,8 +151,8 @@ void Population::advance(Member& member, World& world, RouteObserver& observer) 
   observer.countWaypoint(member.id);
   const Kind kind = member.route->waypoint().kind;
   if (!member.route->advance()) {
-    const bool is_at_sink = kind == Kind::SINK || kind == Kind::NEAREST_SINK;
-    return is_at_sink ? WorldEditor(world).leave(member.id) : WorldEditor(world).arrive(member.id);
+    // Whoever stays at the head of a queue stands in the way of all others.
+    return kind == Kind::PLACE ? WorldEditor(world).arrive(member.id) : WorldEditor(world).leave(member.id);
   }
   beginLeg(member, world);
   observer.extendWay(world.agents()[member.id]);

@@ -80,6 +80,23 @@ TEST(Staying, AtTheEndOfARouteUnlessThatIsASink) {
   EXPECT_EQ(episode.result().count().arrived, 2U);
 }
 
+/// Agent 0 is at the head from 3 s on and is served until 5 s; agent 1 moves up in 1 s, and is served until 8 s.
+TEST(Staying, NobodyAtTheHeadOfAQueue) {
+  Episode episode = episodeOf(
+      "arrived: stay\n"
+      "agents:\n"
+      "  - {position: [0, 0], route: buy, speed: 1, radius: 0.2}\n"
+      "  - {position: [-1, 0], route: buy, speed: 1, radius: 0.2}\n"
+      "routes: {buy: {waypoints: [{queue: desk}]}}\n"
+      "queues: {desk: {head: [3, 0], direction: 180, spacing: 1, service: 2}}\n");
+  walkUntil(5.0, episode);
+  EXPECT_EQ(statusOf(episode, 0), AgentStatus::ARRIVED);
+  EXPECT_EQ(statusOf(episode, 1), AgentStatus::WALKING);
+  walkUntil(100.0, episode);
+  EXPECT_EQ(statusOf(episode, 1), AgentStatus::ARRIVED);
+  EXPECT_EQ(episode.world().time(), 8.0);
+}
+
 TEST(Staying, PeopleOfSourcesLeave) {
   Episode episode = episodeOf(
       "arrived: stay\n"
