@@ -70,11 +70,12 @@ TEST(Staying, AtTheEndOfARouteUnlessThatIsASink) {
       "  - {position: [0, 3], route: out, speed: 1, radius: 0.2}\n"
       "  - {position: [0, 9], goal: [90, 9], speed: 1, radius: 0.2}\n"
       "routes:\n"
-      "  tour: {waypoints: [{place: [1, 0]}, {place: [2, 0]}]}\n"
+      "  tour: {waypoints: [{place: [1, 0]}, {place: [2, 0], wait: 1}]}\n"
       "  out: {waypoints: [{place: [1, 3]}, {sink: door}]}\n"
       "sinks: {door: {area: {box: [[2, 2], [3, 4]]}}}\n");
   walkUntil(10.0, episode);
   EXPECT_EQ(statusOf(episode, 0), AgentStatus::STAYING);
+  EXPECT_FALSE(episode.world().agents()[0].isHeld());  // its wait is over
   EXPECT_EQ(statusOf(episode, 1), AgentStatus::ARRIVED);
   EXPECT_EQ(episode.world().activeCount(), 1U);
   EXPECT_EQ(episode.result().count().arrived, 2U);
