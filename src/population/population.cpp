@@ -315,7 +315,7 @@ Population::Member& Population::beginRoute(AgentId id, const RouteDescription& r
 void Population::leaveGroup(AgentId id, World& world, RouteObserver& observer) {
   followers_.drop(id, world, observer);
   Agent& agent = world.walkingAgent(id);
-  if (agent.group == NO_GROUP || followers_.countOf({Leader::Kind::AGENT, id}) > 0) return;
+  if (agent.group == NO_GROUP || followers_.leads(id, world)) return;
   agent.group = NO_GROUP;
   agent.setPace(Pace::GROUP, 1.0);
   agent.clearWaypoint();
