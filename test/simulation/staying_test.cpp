@@ -113,7 +113,7 @@ TEST(Staying, PeopleOfSourcesLeave) {
 TEST(Staying, AddedAgentsDoWhatThoseOfTheScenarioDo) {
   for (const bool stays : {false, true}) {
     Episode episode = episodeOf(std::string(stays ? "arrived: stay\n" : "") + TWO);
-    const AgentId added = episode.edit().spawnAgent(scenes::agent({0.0, 5.0}, {1.0, 5.0}, 1.0, 0.2));
+    const AgentId added = episode.edit().addAgent(scenes::agent({0.0, 5.0}, {1.0, 5.0}, 1.0, 0.2));
     walkUntil(2.0, episode);
     EXPECT_TRUE(episode.world().agents().find(added) == nullptr || statusOf(episode, added) != AgentStatus::WALKING);
     walkUntil(3.5, episode);
