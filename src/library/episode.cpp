@@ -138,7 +138,7 @@ AgentId Episode::spawnAgent(const AgentStart& start) {
   for (const Vector2& goal : start.goals) added.goals.push_back(fromPublic(goal));
   added.max_speed = start.max_speed;
   added.radius = start.radius;
-  return state_->episode.edit().spawnAgent(added);
+  return state_->episode.edit().addAgent(added);
 }
 
 void Episode::removeAgent(AgentId agent) { state_->episode.edit().removeAgent(agent); }

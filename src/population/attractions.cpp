@@ -118,7 +118,8 @@ bool Attractions::isTaken(const Vector2& place, const Agent& agent, const World&
   return std::any_of(bodies.begin(), bodies.end(), [&](std::uint32_t body) {
     if (body >= world.agents().size()) return false;
     const Agent& other = world.agents().nth(body);
-    return other.id != agent.id && other.isHeld() && overlaps(other.pose.position, other);
+    const bool stands = other.isHeld() || !other.isWalking();
+    return other.id != agent.id && stands && overlaps(other.pose.position, other);
   });
 }
 

@@ -120,6 +120,12 @@ std::optional<Leader> Followers::leaderOf(AgentId id) const {
   return found == followers_.end() || found->id != id ? std::nullopt : std::optional<Leader>(found->leader);
 }
 
+bool Followers::leads(AgentId id, const World& world) const {
+  return std::any_of(followers_.begin(), followers_.end(), [&](const Follower& follower) {
+    return follower.leader.kind == Leader::Kind::AGENT && follower.leader.number == id && world.isActive(follower.id);
+  });
+}
+
 void Followers::drop(AgentId id, World& world, RouteObserver& observer) {
   const auto found = lowerBound(id);
   if (found == followers_.end() || found->id != id) return;

@@ -28,6 +28,8 @@ class Followers {
                                    const World& world) const;
   /// @brief The same for a place behind a robot.
   Vector2 goalBehind(RobotId robot, std::size_t number, double radius, const World& world) const;
+  /// @brief Whether an agent has followers that are on their way.
+  bool leads(AgentId id, const World& world) const;
   /// @brief Number of followers that a leader has had.
   std::size_t countOf(const Leader& leader) const {
     const auto found = counts_.find(groupOf(leader));
@@ -58,10 +60,10 @@ class Followers {
   Vector2 goalBeside(const Vector2& goal, const Vector2& from, std::size_t number, double radius,
                      const World& world) const;
 
-  PlacePicker places_;
   /// The first follower whose id is not lower.
   std::vector<Follower>::const_iterator lowerBound(AgentId id) const;
 
+  PlacePicker places_;
   std::vector<Follower> followers_;  // by ascending id
   std::map<GroupId, std::size_t> counts_;
 };

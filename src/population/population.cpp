@@ -151,8 +151,8 @@ void Population::advance(Member& member, World& world, RouteObserver& observer) 
   observer.countWaypoint(member.id);
   const Kind kind = member.route->waypoint().kind;
   if (!member.route->advance()) {
-    const bool is_at_sink = kind == Kind::SINK || kind == Kind::NEAREST_SINK;
-    return is_at_sink ? WorldEditor(world).leave(member.id) : WorldEditor(world).arrive(member.id);
+    // Whoever stays at the head of a queue stands in the way of all others.
+    return kind == Kind::PLACE ? WorldEditor(world).arrive(member.id) : WorldEditor(world).leave(member.id);
   }
   beginLeg(member, world);
   observer.extendWay(world.agents()[member.id]);
@@ -315,7 +315,7 @@ Population::Member& Population::beginRoute(AgentId id, const RouteDescription& r
 void Population::leaveGroup(AgentId id, World& world, RouteObserver& observer) {
   followers_.drop(id, world, observer);
   Agent& agent = world.walkingAgent(id);
-  if (agent.group == NO_GROUP || followers_.countOf({Leader::Kind::AGENT, id}) > 0) return;
+  if (agent.group == NO_GROUP || followers_.leads(id, world)) return;
   agent.group = NO_GROUP;
   agent.setPace(Pace::GROUP, 1.0);
   agent.clearWaypoint();

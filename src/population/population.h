@@ -98,7 +98,7 @@ class Population {
   void chooseGoalsOfFollowers(Scene& scene, const World& world) const;
   bool isEndless(const Leader& leader, const World& world);
   void beginLeg(Member& member, World& world);
-  /// An agent that is sent elsewhere leaves its group, unless it leads it.
+  /// An agent that is sent elsewhere leaves its group, unless somebody follows it.
   void leaveGroup(AgentId id, World& world, RouteObserver& observer);
   /// Goes on to the next waypoint, or lets the agent leave at the end of its route.
   void advance(Member& member, World& world, RouteObserver& observer);

@@ -13,9 +13,9 @@ namespace crowd {
 
 EpisodeEditor::EpisodeEditor(Episode& episode) : WorldEditor(episode.world_), episode_(episode) {}
 
-AgentId EpisodeEditor::spawnAgent(AgentStart start) {
+AgentId EpisodeEditor::addAgent(AgentStart start) {
   start.stays = episode_.scene_.arrived == Arrived::STAY;
-  return WorldEditor::spawnAgent(start);
+  return spawnAgent(start);
 }
 
 void EpisodeEditor::review(const WorldChange& change) {

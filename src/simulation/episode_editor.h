@@ -22,8 +22,9 @@ class EpisodeEditor final : public WorldEditor {
   /// @brief Replaces all agents, and what is known of their motion. @param agents, tracks by ascending id; on return
   /// the former ones
   void replaceCrowd(std::vector<Agent>& agents, std::vector<EpisodeMonitor::Track>& tracks);
-  /// @brief Adds an agent, which stays or leaves when it has arrived as the scenario's own ones do.
-  AgentId spawnAgent(AgentStart start);
+  /// @brief Spawns an agent. Whether it stays when it has arrived is that of the scene (Scene::arrived), whatever its
+  /// start says.
+  AgentId addAgent(AgentStart start);
   /// @brief Lets an agent begin a route of the scenario.
   void setRoute(AgentId id, const std::string& route);
   /// @brief Opens or closes a gate of the scenario; one in which an agent stands closes later. @return whether it is

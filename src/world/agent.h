@@ -86,6 +86,16 @@ struct Agent {
   bool hasArrived() const { return status == AgentStatus::ARRIVED || status == AgentStatus::STAYING; }
   /// @brief Whether it is a body of the world: on its way, or arrived and staying.
   bool isPresent() const { return isWalking() || status == AgentStatus::STAYING; }
+  /// @brief Ends its way. One that stays stands from now on. @param why ARRIVED, REMOVED or STAYING
+  void end(AgentStatus why, std::uint64_t tick) {
+    status = why;
+    arrival_tick = tick;
+    if (why != AgentStatus::STAYING) return;
+    velocity = Vector2::Zero();
+    holds = 0;
+  }
+  /// @brief The same at its last goal: it stays there, or leaves.
+  void arrive(std::uint64_t tick) { end(stays ? AgentStatus::STAYING : AgentStatus::ARRIVED, tick); }
   bool isHeldBy(Hold reason) const { return (holds & bitOf(reason)) != 0; }
   bool isHeld() const { return holds != 0; }
   void setHeld(Hold reason, bool is_held) {

@@ -57,7 +57,8 @@ void ProtectiveStop::findPeople(const Robot& robot, const std::vector<Agent>& ag
     if ((position - robot.pose.position).norm() <= reach + radius) people_.push_back({position, radius});
   };
   for (const Agent& agent : agents) {
-    if (agent.isPresent()) add(agent.pose.position, agent.radius + agent.max_speed * tick_duration);
+    const double way = agent.isWalking() ? agent.max_speed * tick_duration : 0.0;  // at most, in a tick
+    if (agent.isPresent()) add(agent.pose.position, agent.radius + way);
   }
   for (const Neighbour& person : recorded) add(person.position, person.radius + person.velocity.norm() * tick_duration);
 }

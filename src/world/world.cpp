@@ -299,8 +299,7 @@ inline void World::endMove(std::size_t position, std::size_t& arrivals) {
     return;
   }
   ++agent.next_goal;
-  agent.status = agent.stays ? AgentStatus::STAYING : AgentStatus::ARRIVED;
-  agent.arrival_tick = tick_;
+  agent.arrive(tick_);
   ++arrivals;
 }
 

@@ -63,8 +63,7 @@ std::vector<Agent> WorldEditor::replaceAgents(std::vector<Agent> agents) {
 
 void WorldEditor::end(AgentId id, AgentStatus status) {
   Agent& agent = world_.walkingAgent(id);
-  agent.status = status;
-  agent.arrival_tick = world_.tick();
+  agent.end(status, world_.tick());
   --world_.active_count_;
   world_.refresh();
   note({});

@@ -2,11 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include "scenario/writing/scene_document.h"
 #include "simulation/episode.h"
 #include "support/straight_walk.h"
 
 namespace crowd::floor_scene_test {
 namespace {
+
+/// What a reader of the saved document gets.
+Scene savedAndRead(const Episode& episode) {
+  return parseScenarios(toDocument(sceneOnFloor(episode, false), "."), "saved.yaml").scene(1, 0);
+}
 
 /// Agent 0 is removed, so that all others get lower numbers.
 TEST(FloorScene, KeepsLeadersAndGroups) {
@@ -48,25 +54,53 @@ TEST(FloorScene, KeepsFollowersOfARemovedLeader) {
   ASSERT_EQ(scene.agents.size(), 1U);
   EXPECT_FALSE(scene.agents[0].leader);
   EXPECT_NEAR(scene.agents[0].goals.front().x(), 30.0, 1e-9);
+  const Scene again = savedAndRead(episode);
+  ASSERT_EQ(again.agents.size(), 1U);
+  EXPECT_EQ(again.agents[0].group, NO_GROUP);
+  EXPECT_EQ(again.agents[0].goals, scene.agents[0].goals);
 }
 
-/// They cannot start at their goals, so they are obstacles at rest, before the others.
-TEST(FloorScene, AgentsThatStayAreObstacles) {
+/// Of a pair one has arrived and left, or stays; of three, two are still on their way.
+TEST(FloorScene, GroupsOfOneAreNoGroups) {
+  for (const char* const arrived : {"leave", "stay"}) {
+    Episode episode = straight_walk::episodeOf(
+        "agents:\n"
+        "  - {position: [0, 0], goal: [1, 0], speed: 1, radius: 0.2}\n"
+        "  - {position: [0, 3], goal: [30, 3], speed: 1, radius: 0.2}\n"
+        "  - {position: [0, 10], goal: [1, 10], speed: 1, radius: 0.2}\n"
+        "  - {position: [0, 13], goal: [30, 13], speed: 1, radius: 0.2}\n"
+        "  - {position: [0, 14], goal: [30, 14], speed: 1, radius: 0.2}\n"
+        "groups: [{members: [0, 1]}, {members: [2, 3, 4]}]\n"
+        "arrived: " +
+        std::string(arrived) + "\n");
+    straight_walk::walkUntil(5.0, episode);
+    const Scene again = savedAndRead(episode);
+    ASSERT_EQ(again.agents.size(), 3U) << arrived;
+    EXPECT_EQ(again.agents[0].group, NO_GROUP) << arrived;
+    EXPECT_EQ(again.agents[1].group, 1U) << arrived;
+    EXPECT_EQ(again.agents[2].group, 1U) << arrived;
+  }
+}
+
+/// Both have the same goal, in which an obstacle would be refused. Agent 0 arrives in tick 2, agent 1 is 4 m away.
+TEST(FloorScene, LeavesOutAgentsThatStay) {
   Episode episode = straight_walk::episodeOf(
       "arrived: stay\n"
       "agents:\n"
-      "  - {position: [0, 0], goal: [1, 0], speed: 1, radius: 0.2}\n"
-      "  - {position: [0, 3], goal: [30, 3], speed: 1, radius: 0.2}\n"
+      "  - {position: [0, 0], goal: [1, 0], speed: 1, radius: 0.25}\n"
+      "  - {position: [7, 0], goal: [1, 0], speed: 1, radius: 0.25}\n"
       "obstacles: [{position: [9, 9], radius: 0.4}]\n");
-  straight_walk::walkUntil(3.0, episode);
-  const Scene scene = sceneOnFloor(episode, false);
-  EXPECT_EQ(scene.arrived, Arrived::STAY);
-  ASSERT_EQ(scene.agents.size(), 1U);
-  EXPECT_TRUE(scene.agents[0].stays);
-  ASSERT_EQ(scene.obstacles.size(), 2U);
-  EXPECT_EQ(scene.obstacles[0].path.position(7.0), Vector2(1.0, 0.0));
-  EXPECT_EQ(scene.obstacles[0].radius, 0.2);
-  EXPECT_EQ(scene.obstacles[1].radius, 0.4);
+  EXPECT_EQ(leftOutText(episode.world()), "");
+  straight_walk::walkUntil(2.0, episode);
+  ASSERT_EQ(episode.world().agents()[0].status, AgentStatus::STAYING);
+  EXPECT_EQ(leftOutText(episode.world()), ", without 1 agent at the last goal");
+  const Scene again = savedAndRead(episode);
+  EXPECT_EQ(again.arrived, Arrived::STAY);
+  ASSERT_EQ(again.agents.size(), 1U);
+  EXPECT_LT((again.agents[0].position - Vector2(5.0, 0.0)).norm(), 1e-9);
+  EXPECT_TRUE(again.agents[0].stays);
+  ASSERT_EQ(again.obstacles.size(), 1U);
+  EXPECT_EQ(again.obstacles[0].radius, 0.4);
 }
 
 }  // namespace

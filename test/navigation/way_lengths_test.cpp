@@ -120,7 +120,7 @@ TEST(Reach, RefusedChangesChangeNothing) {
   expect("agent 0: the goal (4, -4) cannot", [&] { episode.edit().setGoal(0, {4.0, -4.0}); });
   expect("agent 0, routes.cell.waypoints[0]: the goal (4, -4) cannot", [&] { episode.edit().setRoute(0, "cell"); });
   expect("from (4, -4)", [&] { episode.edit().teleport(0, {{4.0, -4.0}, 0.0}); });
-  expect("the agent: the goal (0, 4) cannot", [&] { episode.edit().spawnAgent(caged); });
+  expect("the agent: the goal (0, 4) cannot", [&] { episode.edit().addAgent(caged); });
   expect("too large", [&] { episode.edit().setGoal(0, {1e6, 0.0}); });
   expect("too large", [&] { episode.edit().addWall({{1e6, 0.0}, {1e6, 1.0}}); });
   expect("too large", [&] { episode.edit().spawnObstacle({0.0, 1e6}, {0.0, 0.0}, 2.0); });
@@ -130,7 +130,7 @@ TEST(Reach, RefusedChangesChangeNothing) {
   });
   const AgentStart far_goal{{0.0, 3.0}, 0.0, {{0.0, -1.1e6}}, 1.0, RADIUS};
   expect("goal [m]: expected a number from -1e+06 to 1e+06 m, got -1100000",
-         [&] { episode.edit().spawnAgent(far_goal); });
+         [&] { episode.edit().addAgent(far_goal); });
   expect("no agent 7", [&] { episode.edit().setGoal(7, {1.0, 1.0}); });
   walkUntil(20.0, episode);
   EXPECT_TRUE(episode.result().agents.at(0).arrived);

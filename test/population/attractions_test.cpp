@@ -94,6 +94,19 @@ TEST(Attractions, AFullAreaIsPassed) {
   EXPECT_TRUE(episode.world().agents()[0].isHeldBy(Hold::ATTRACTION));
 }
 
+/// Agent 0 is there from 2 s on; agent 1 notices the window in 3 s, and walks its 11 m in 22 ticks.
+TEST(Attractions, WhoStaysTakesAPlace) {
+  Episode episode = episodeOf(
+      "arrived: stay\n"
+      "agents:\n"
+      "  - {position: [4, 4], goal: [4, 2], speed: 1, radius: 0.2}\n"
+      "  - {position: [-1, 0], goal: [10, 0], speed: 1, radius: 0.2}\n" +
+      window("share: 1, wait: 30"));
+  walkUntil(11.0, episode);
+  EXPECT_EQ(episode.world().agents()[0].status, AgentStatus::STAYING);
+  EXPECT_EQ(episode.world().agents()[1].arrival_tick, 22U);
+}
+
 /// 4 m to and fro; the stop takes 3 s and a detour.
 TEST(Attractions, AnAgentStopsOnceAtEach) {
   Episode episode = episodeOf(

@@ -108,6 +108,21 @@ TEST(Followers, AGoalOfAUserEndsIt) {
   EXPECT_TRUE(agent(episode, 1).hasArrived());
 }
 
+/// A leader that gets a goal keeps its group while somebody follows it.
+TEST(Followers, WithoutThemALeaderLeavesItsGroup) {
+  Episode episode = episodeOf(
+      "agents:\n"
+      "  - {position: [0, 0], goal: [10, 0], speed: 1, radius: 0.2}\n"
+      "  - {position: [0, 1], leader: 0, speed: 1, radius: 0.2}\n"
+      "  - {position: [0, -1], leader: 0, speed: 1, radius: 0.2}\n");
+  episode.edit().removeAgent(1);
+  episode.edit().setGoal(0, {0.0, 30.0});
+  EXPECT_EQ(agent(episode, 0).group, 0U);
+  episode.edit().removeAgent(2);
+  episode.edit().setGoal(0, {0.0, 20.0});
+  EXPECT_EQ(agent(episode, 0).group, NO_GROUP);
+}
+
 /// Groups of three, one after the other: agents 0, 3, 6 lead, and the others appear at once beside them.
 TEST(Followers, SourcesLetGroupsAppear) {
   Episode episode = episodeOf(

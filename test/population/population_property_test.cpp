@@ -117,7 +117,7 @@ TEST(Population, ManyAgentsThatAreAddedAndRemoved) {
   start.radius = 0.2;
   std::size_t capacity = 0;
   for (AgentId cycle = 1; cycle <= 1000; ++cycle) {
-    ASSERT_EQ(episode.edit().spawnAgent(start), cycle);
+    ASSERT_EQ(episode.edit().addAgent(start), cycle);
     episode.edit().setRoute(cycle, "rounds");
     episode.edit().setGate("door", cycle % 2 == 0);
     step(episode);

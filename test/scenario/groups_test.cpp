@@ -66,6 +66,25 @@ TEST(GroupPlacement, FollowersStartBesideTheirLeader) {
   }
 }
 
+/// 60 agents, all in groups of two or three.
+std::vector<GroupId> groupsOf(const std::string& sizes) {
+  std::vector<GroupId> groups;
+  const Scene scene =
+      sceneOf(std::string(HEAD) +
+              "agents: [{count: 60, position: {box: [[-9, -9], [9, 9]]}, goal: [20, 0], speed: 1, radius: 0.2, "
+              "groups: {share: 1, sizes: {" +
+              sizes + "}}}]\n");
+  for (const AgentStart& agent : scene.agents) groups.push_back(agent.group);
+  return groups;
+}
+
+TEST(GroupReader, DrawsDoNotDependOnOrderAndSizesWithoutAWeight) {
+  const std::vector<GroupId> expected = groupsOf("2: 4, 3: 1");
+  EXPECT_EQ(groupsOf("3: 1, 2: 4"), expected);
+  EXPECT_EQ(groupsOf("4: 0, 2: 4, 3: 1"), expected);
+  EXPECT_NE(groupsOf("2: 1, 3: 4"), expected);
+}
+
 TEST(GroupReader, ReportsErrors) {
   const std::string base = "position: [0, 0], goal: [4, 3], speed: 1.3, radius: 0.25";
   const std::string follower = "position: [0, 0], speed: 1.3, radius: 0.25, leader: ";
@@ -77,7 +96,8 @@ TEST(GroupReader, ReportsErrors) {
   EXPECT_TRUE(contains(agentError(base + ", groups: {share: 2}"), "agents[0].groups.share"));
   EXPECT_TRUE(contains(agentError(base + ", groups: {share: 1, sizes: {1: 1}}"), "a map of sizes from 2 to 20"));
   EXPECT_TRUE(
-      contains(agentError(base + ", groups: {share: 1, sizes: {2: 0}}"), "groups.sizes.2: expected a number above 0"));
+      contains(agentError(base + ", groups: {share: 1, sizes: {2: 0}}"), "groups.sizes: expected a weight above 0"));
+  EXPECT_TRUE(contains(agentError(base + ", groups: {share: 1, sizes: {2: -1}}"), "groups.sizes.2: expected a number"));
   const auto groups_error = [&](const std::string& groups) {
     const std::string other = "position: [9, 9], goal: [4, 3], speed: 1.3, radius: 0.25";
     return scenario_texts::errorOf(std::string(HEAD) + "agents:\n  - {" + base + "}\n  - {" + other + "}\ngroups:\n" +

@@ -127,7 +127,7 @@ TEST(Departures, IdsOfAgentsThatAreAddedAreNeverUsedAgain) {
   start.max_speed = 1.0;
   start.radius = 0.2;
   for (AgentId id = 1; id <= 100; ++id) {
-    ASSERT_EQ(episode.edit().spawnAgent(start), id);
+    ASSERT_EQ(episode.edit().addAgent(start), id);
     if (id % 3 == 0) episode.edit().removeAgent(id);
     for (int tick = 0; tick < 3; ++tick) step(episode);
     ASSERT_LE(episode.world().agents().size(), 3U);

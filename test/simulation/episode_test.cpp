@@ -139,7 +139,7 @@ TEST(Episode, InvalidActionMovesNoAgent) {
 TEST(EpisodeChanges, SpawnedAgentIsPerceivedAndMeasuredAtOnce) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
   episode.step({ahead(0), ahead(1)});
-  EXPECT_EQ(episode.edit().spawnAgent(agent({0.0, -3.0}, {1.0, -3.0}, 1.0)), 2U);
+  EXPECT_EQ(episode.edit().addAgent(agent({0.0, -3.0}, {1.0, -3.0}, 1.0)), 2U);
   ASSERT_EQ(episode.perceptions().agents.size(), 3U);
   EXPECT_EQ(episode.perceptions().tick, 1U);
   while (!episode.isOver()) episode.step({ahead(0), ahead(1), ahead(2)});
@@ -169,7 +169,7 @@ TEST(EpisodeChanges, EndsWithItsLastAgentAndContinuesWithANewOne) {
   Episode episode(scene({wanderer({0.0, 0.0})}), NUMBER, Vision());
   episode.edit().removeAgent(0);
   EXPECT_TRUE(episode.isOver());
-  episode.edit().spawnAgent(wanderer({0.0, 0.0}));
+  episode.edit().addAgent(wanderer({0.0, 0.0}));
   EXPECT_FALSE(episode.isOver());
 }
 
@@ -187,7 +187,7 @@ TEST(EpisodeChanges, NewGoalAndObstaclesAreInThePerceptionsAtOnce) {
 
 TEST(EpisodeChanges, RefusedChangesHaveNoEffect) {
   Episode episode(oneAndTwoMetres(), NUMBER, Vision());
-  EXPECT_THROW(episode.edit().spawnAgent(wanderer({0.1, 0.0})), InputError);
+  EXPECT_THROW(episode.edit().addAgent(wanderer({0.1, 0.0})), InputError);
   EXPECT_THROW(episode.edit().removeAgent(5), InputError);
   EXPECT_THROW(episode.edit().setGoal(0, {std::numeric_limits<double>::quiet_NaN(), 0.0}), InputError);
   EXPECT_THROW(episode.edit().spawnObstacle({0.1, 0.0}, {0.0, 0.0}, 0.5), InputError);

@@ -90,7 +90,7 @@ TEST(SequentialEpisode, AgentsCanBeRemovedAndSpawnedBetweenTurns) {
   episode.step({});
   episode.edit().removeAgent(1);  // it had the next turn
   EXPECT_EQ(asked(episode), Ids{2});
-  const AgentId spawned = episode.edit().spawnAgent(wanderer({0.0, 9.0}));
+  const AgentId spawned = episode.edit().addAgent(wanderer({0.0, 9.0}));
   EXPECT_FALSE(episode.step({ahead(2)}));
   EXPECT_EQ(asked(episode), Ids{spawned});
   EXPECT_TRUE(episode.step({}));

@@ -70,14 +70,32 @@ TEST(Staying, AtTheEndOfARouteUnlessThatIsASink) {
       "  - {position: [0, 3], route: out, speed: 1, radius: 0.2}\n"
       "  - {position: [0, 9], goal: [90, 9], speed: 1, radius: 0.2}\n"
       "routes:\n"
-      "  tour: {waypoints: [{place: [1, 0]}, {place: [2, 0]}]}\n"
+      "  tour: {waypoints: [{place: [1, 0]}, {place: [2, 0], wait: 1}]}\n"
       "  out: {waypoints: [{place: [1, 3]}, {sink: door}]}\n"
       "sinks: {door: {area: {box: [[2, 2], [3, 4]]}}}\n");
   walkUntil(10.0, episode);
   EXPECT_EQ(statusOf(episode, 0), AgentStatus::STAYING);
+  EXPECT_FALSE(episode.world().agents()[0].isHeld());  // its wait is over
   EXPECT_EQ(statusOf(episode, 1), AgentStatus::ARRIVED);
   EXPECT_EQ(episode.world().activeCount(), 1U);
   EXPECT_EQ(episode.result().count().arrived, 2U);
+}
+
+/// Agent 0 is at the head from 3 s on and is served until 5 s; agent 1 moves up in 1 s, and is served until 8 s.
+TEST(Staying, NobodyAtTheHeadOfAQueue) {
+  Episode episode = episodeOf(
+      "arrived: stay\n"
+      "agents:\n"
+      "  - {position: [0, 0], route: buy, speed: 1, radius: 0.2}\n"
+      "  - {position: [-1, 0], route: buy, speed: 1, radius: 0.2}\n"
+      "routes: {buy: {waypoints: [{queue: desk}]}}\n"
+      "queues: {desk: {head: [3, 0], direction: 180, spacing: 1, service: 2}}\n");
+  walkUntil(5.0, episode);
+  EXPECT_EQ(statusOf(episode, 0), AgentStatus::ARRIVED);
+  EXPECT_EQ(statusOf(episode, 1), AgentStatus::WALKING);
+  walkUntil(100.0, episode);
+  EXPECT_EQ(statusOf(episode, 1), AgentStatus::ARRIVED);
+  EXPECT_EQ(episode.world().time(), 8.0);
 }
 
 TEST(Staying, PeopleOfSourcesLeave) {
@@ -95,7 +113,7 @@ TEST(Staying, PeopleOfSourcesLeave) {
 TEST(Staying, AddedAgentsDoWhatThoseOfTheScenarioDo) {
   for (const bool stays : {false, true}) {
     Episode episode = episodeOf(std::string(stays ? "arrived: stay\n" : "") + TWO);
-    const AgentId added = episode.edit().spawnAgent(scenes::agent({0.0, 5.0}, {1.0, 5.0}, 1.0, 0.2));
+    const AgentId added = episode.edit().addAgent(scenes::agent({0.0, 5.0}, {1.0, 5.0}, 1.0, 0.2));
     walkUntil(2.0, episode);
     EXPECT_TRUE(episode.world().agents().find(added) == nullptr || statusOf(episode, added) != AgentStatus::WALKING);
     walkUntil(3.5, episode);

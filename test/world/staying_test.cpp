@@ -5,6 +5,7 @@
 #include "support/scenes.h"
 #include "support/worlds.h"
 #include "world/world.h"
+#include "world/world_editor.h"
 
 namespace crowd::world_staying_test {
 namespace {
@@ -43,6 +44,30 @@ TEST(Staying, AnAgentKeepsItsPlaceWhatItsActions) {
   }
   EXPECT_EQ(agent.arrival_tick, 2U);
   EXPECT_EQ(world.activeCount(), 1U);
+}
+
+/// What agent 1 perceives of agent 0.
+Neighbour seenOf(const World& world) {
+  const Perceptions seen = lookAround(world);
+  const AgentPerception& self = seen.agents.back();
+  EXPECT_EQ(self.agent, 1U);
+  EXPECT_EQ(self.neighbour_count, 1U);
+  return seen.neighbours[self.first_neighbour];
+}
+
+/// Also in the tick of its arrival, in which it has walked 0.5 m.
+TEST(Staying, StandsFromItsArrivalOn) {
+  World world = walked(line(), 1);
+  expectVector(seenOf(world).velocity, 1.0, 0.0);
+  world.step({ahead(0), ahead(1)});
+  ASSERT_EQ(world.agents()[0].status, AgentStatus::STAYING);
+  expectVector(world.agents()[0].velocity, 0.0, 0.0);
+  expectVector(seenOf(world).velocity, 0.0, 0.0);
+  World ended = walked(line(), 1);
+  WorldEditor(ended).arrive(0);  // at (0.5, 0), as at the end of a route
+  ASSERT_EQ(ended.agents()[0].status, AgentStatus::STAYING);
+  expectVector(ended.agents()[0].velocity, 0.0, 0.0);
+  expectVector(seenOf(ended).velocity, 0.0, 0.0);
 }
 
 TEST(Staying, IsPerceivedByOthersAndPerceivesNoMore) {

@@ -10,16 +10,12 @@ namespace crowd {
 /// @brief Sectors that bodies occupy: EvenSectors, or MirroredSectors where limits are given, each with its numbers.
 ///
 /// A position counts sectors counterclockwise; the sectors at positions p and p + 1, and at the last one and 0, are
-/// adjacent. The right limit of the sector at position 0 is the first one; each sector has one right limit.
+/// adjacent. The left limit of a sector is the right limit of the one at the next position.
 class ObstacleSectors {
  public:
   /// @param count number of equal sectors, if there are no limits
   /// @param limits outer limits of the sectors of one side [degrees], ascending, the last one 180; empty: equal sectors
-  ObstacleSectors(int count, const std::vector<double>& limits) : even_(count), count_(count) {
-    if (limits.empty()) return;
-    limited_.emplace(limits);
-    count_ = limited_->count();
-  }
+  ObstacleSectors(int count, const std::vector<double>& limits);
 
   int count() const { return count_; }
   /// @brief Returns the sectors by limits; nullptr if they are equal.
@@ -31,10 +27,10 @@ class ObstacleSectors {
   /// @brief Returns the number of the sector at a position.
   int sectorAt(int position) const { return limited_ ? limited_->sectorAt(position) : position; }
   /// @brief Returns the mirror image of a sector.
-  int mirrored(int sector) const { return limited_ ? limited_->mirrored(sector) : even_.mirrored(sector); }
+  int mirrored(int sector) const;
   /// @brief Return the right and the left limit of a sector [rad].
-  double rightLimit(int sector) const { return limited_ ? limited_->rightLimit(sector) : even_.rightLimit(sector); }
-  double leftLimit(int sector) const { return limited_ ? limited_->leftLimit(sector) : even_.rightLimit(sector + 1); }
+  double rightLimit(int sector) const;
+  double leftLimit(int sector) const;
 
  private:
   EvenSectors even_;

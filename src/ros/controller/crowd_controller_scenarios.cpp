@@ -56,11 +56,15 @@ void CrowdController::loadScenario(const std::string& name, social_crowd::LoadSc
 void CrowdController::saveScenario(const social_crowd::SaveScenario::Request& request,
                                    social_crowd::SaveScenario::Response& response) {
   const std::filesystem::path file = data_folder_.resolveToWrite(request.file, request.overwrite != 0);
-  const auto scene = loop_.ask<Scene>([&] { return sceneOnFloor(*episode_, map_ == nullptr); });
+  std::string left_out;
+  const auto scene = loop_.ask<Scene>([&] {
+    left_out = leftOutText(episode_->world());
+    return sceneOnFloor(*episode_, map_ == nullptr);
+  });
   const std::string document = toDocument(scene, file.parent_path().string());
   requireReadable(document, file.string());
   replaceFile(file.string(), document);
-  response.message = "saved " + countsText(scene) + " to " + file.string();
+  response.message = "saved " + countsText(scene) + left_out + " to " + file.string();
 }
 
 void CrowdController::advertiseScenarioServices() {

@@ -114,7 +114,7 @@ void CrowdController::advertiseWorldServices() {
     start.goals = {fromPoint(request.goal)};
     start.max_speed = request.max_speed;
     start.radius = request.radius;
-    response.agent = editor.spawnAgent(start);
+    response.agent = editor.addAgent(start);
     return "agent " + std::to_string(response.agent) + " added at ";
   });
   serveEdit<social_crowd::RemoveAgent>(names::REMOVE_AGENT, [](auto& editor, const auto& request, auto& /*response*/) {

@@ -25,18 +25,9 @@ AgentStart startOf(const Agent& agent, const Scene& scene) {
   return start;
 }
 
-/// The obstacles, with agents that have arrived and stay before them: the recorded people are the last ones.
 std::vector<Obstacle> obstaclesOf(const World& world) {
-  std::vector<Obstacle> obstacles;
-  for (const Agent& agent : world.agents()) {
-    if (agent.status == AgentStatus::STAYING) {
-      obstacles.push_back({ObstaclePath::atRest(agent.pose.position), agent.radius});
-    }
-  }
-  for (const Obstacle& obstacle : world.obstacles()) {
-    obstacles.push_back(obstacle);
-    obstacles.back().path = obstacle.path.after(world.time());
-  }
+  std::vector<Obstacle> obstacles = world.obstacles();
+  for (Obstacle& obstacle : obstacles) obstacle.path = obstacle.path.after(world.time());
   return obstacles;
 }
 
@@ -100,7 +91,7 @@ Scene sceneOnFloor(const Episode& episode, bool with_map_file) {
     if (!leader) continue;
     if (leader->kind == Leader::Kind::AGENT) {
       const auto found = numbers.find(leader->number);
-      if (found == numbers.end()) continue;  // it was removed since the last tick
+      if (found == numbers.end()) continue;  // removed since the last tick: Followers::update() releases others
       leader->number = found->second;
     }
     agents[number].leader = leader;
@@ -114,6 +105,12 @@ Scene sceneOnFloor(const Episode& episode, bool with_map_file) {
   scene.robots.clear();
   for (const Robot& robot : world.robots()) scene.robots.push_back(startOf(robot));
   return scene;
+}
+
+std::string leftOutText(const World& world) {
+  const auto stays = [](const Agent& agent) { return agent.status == AgentStatus::STAYING; };
+  const auto count = static_cast<std::size_t>(std::count_if(world.agents().begin(), world.agents().end(), stays));
+  return count == 0 ? "" : ", without " + counted(count, "agent") + " at the last goal";
 }
 
 std::string countsText(const Scene& scene) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/footprint.h"
+#include "ros/messages/agent_status.h"
 #include "ros/messages/conversions.h"
 
 namespace crowd {
@@ -66,8 +67,7 @@ void addPiece(LineMarker& marker, const WalkedPaths& paths, const WalkedPaths::P
 bool hasPlace(const AgentState& agent) { return isDrawable(agent.pose.x) && isDrawable(agent.pose.y); }
 
 bool isOnFloor(const AgentState& agent) {
-  const bool is_present = agent.status == AgentState::WALKING || agent.status == AgentState::STAYING;
-  return is_present && hasPlace(agent) && isDrawable(agent.pose.theta) && isDrawable(agent.radius);
+  return isPresent(agent) && hasPlace(agent) && isDrawable(agent.pose.theta) && isDrawable(agent.radius);
 }
 
 Marker drawBodies(const AgentStates& states, bool figures) {

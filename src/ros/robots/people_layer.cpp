@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "common/text/numbers.h"
+#include "ros/messages/agent_status.h"
 #include "ros/messages/names.h"
 #include "ros/robots/robot_messages.h"
 
@@ -77,9 +78,7 @@ void PeopleLayer::subscribe([[maybe_unused]] const std::string& source, const st
 void PeopleLayer::take(const social_crowd::AgentStates& message) {
   People people = {message.header, {}};
   for (const social_crowd::AgentState& agent : message.agents) {
-    if (agent.status == social_crowd::AgentState::ARRIVED || agent.status == social_crowd::AgentState::REMOVED)
-      continue;
-    people.people.push_back({toVector(agent.pose), toVector(agent.velocity)});
+    if (isPresent(agent)) people.people.push_back({toVector(agent.pose), toVector(agent.velocity)});
   }
   for (const social_crowd::ObstacleState& obstacle : message.obstacles) {
     if (obstacle.recorded != 0) people.people.push_back({toVector(obstacle.position), toVector(obstacle.velocity)});

@@ -13,10 +13,11 @@ namespace {
 
 constexpr std::int64_t LAST_AGENT = 9'999'999;
 constexpr std::size_t LARGEST_GROUP = 20;
-constexpr NumberLimit WEIGHT{NumberRule::POSITIVE, 1e9, ""};
+constexpr NumberLimit WEIGHT{NumberRule::NOT_NEGATIVE, 1e9, ""};
 const std::vector<GroupShare::Size> PAIRS_AND_MORE = {{2, 0.7}, {3, 0.2}, {4, 0.1}};
 
-/// Reads {SIZE: WEIGHT, ...}.
+/// Reads {SIZE: WEIGHT, ...}. Returns the sizes with a weight, by ascending size, so that draws do not depend on the
+/// order in the document.
 std::vector<GroupShare::Size> readSizes(const YAML::Node& node, const YamlPlace& place) {
   const std::string expected = "a map of sizes from 2 to " + std::to_string(LARGEST_GROUP) + " to weights";
   if (!node.IsMap() || node.size() == 0) throwExpected(place, node, expected);
@@ -27,8 +28,12 @@ std::vector<GroupShare::Size> readSizes(const YAML::Node& node, const YamlPlace&
     std::size_t size = 0;
     const bool is_size = YAML::convert<std::size_t>::decode(entry.first, size) && size >= 2 && size <= LARGEST_GROUP;
     if (!is_size) throwExpected(place, entry.first, expected);
-    sizes.push_back({size, readNumber(entry.second, place.child(entry.first.Scalar()), WEIGHT)});
+    const double weight = readNumber(entry.second, place.child(entry.first.Scalar()), WEIGHT);
+    if (weight > 0.0) sizes.push_back({size, weight});
   }
+  if (sizes.empty()) throwExpected(place, node, "a weight above 0");
+  const auto is_smaller = [](const auto& one, const auto& other) { return one.members < other.members; };
+  std::sort(sizes.begin(), sizes.end(), is_smaller);
   return sizes;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "common/text/numbers.h"
 #include "scenario/population_spec.h"
@@ -55,20 +56,22 @@ std::string agentsText(const Scene& scene) {
   return text.empty() ? "" : "agents:\n" + text;
 }
 
-/// The groups whose members have goals of their own.
+/// The groups whose members have goals of their own. A group of which one member is left is no group any more.
 std::string groupsText(const Scene& scene) {
-  std::map<GroupId, std::string> members;
+  std::map<GroupId, std::vector<std::size_t>> members;
   std::set<GroupId> led;
   for (std::size_t i = 0; i < scene.agents.size(); ++i) {
     const AgentStart& agent = scene.agents[i];
     if (agent.group == NO_GROUP) continue;
     if (agent.leader) led.insert(agent.group);
-    std::string& text = members[agent.group];
-    text += (text.empty() ? "" : ", ") + std::to_string(i);
+    members[agent.group].push_back(i);
   }
   std::string text;
   for (const auto& [group, numbers] : members) {
-    if (led.count(group) == 0) text += "  - {members: [" + numbers + "]}\n";
+    if (led.count(group) > 0 || numbers.size() < 2) continue;
+    std::string list;
+    for (const std::size_t number : numbers) list += (list.empty() ? "" : ", ") + std::to_string(number);
+    text += "  - {members: [" + list + "]}\n";
   }
   return text.empty() ? "" : "groups:\n" + text;
 }
