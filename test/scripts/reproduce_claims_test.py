@@ -195,7 +195,7 @@ class DeclaredRunsTest:
 
     def test_variations_change_configuration_and_scenario(self, setting):
         command, = results.commands_of(setting, 'train @reward_{reward}', {
-            'seed': 1, 'variation': 'heading_goal', 'reward': 'cosine_cubed'})
+            'seed': 1, 'variation': 'heading_at_the_start_goal', 'reward': 'cosine_cubed'})
         scenario, = read_documents(command[1])[0]['training']['scenarios']
         assert read_documents(scenario)[0]['agents'][0]['heading'] == 'goal'
         command, = results.commands_of(setting, 'train @agent_single_occupancy', {'seed': 1, 'variation': 'stay_1'})

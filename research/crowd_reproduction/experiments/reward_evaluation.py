@@ -35,12 +35,6 @@ def report(setting):
     chapter.tabulate('free', ['', *RATE_HEADER, *RATIOS, *OF_ARRIVALS], [
         [row_name(parameters, reward), *cells(learned(setting, reward, parameters), 'free', {**RATIOS, **OF_ARRIVALS})]
         for parameters in ALL for reward in REWARDS])
-    chapter.tabulate('headings', thesis, [
-        [row_name(parameters, f'heading: {heading}', mode, reward), reported(parameters, reward, mode),
-         *cells(of_reward[reward], mode)]
-        for parameters in READ for heading, of_reward in headings(setting, parameters).items() for mode in MODES
-        for reward in REWARDS])
-    chapter.tabulate('nearest', ['', 'sum of the differences [points]'], nearest(setting))
     chapter.tabulate('more_training', ['', *RATE_HEADER], [
         [row_name(parameters, f'{episodes} training episodes', mode, reward),
          *cells(Runs.of(setting, group, reward=reward, parameters=parameters), mode)]
@@ -79,23 +73,6 @@ def reported(parameters, reward, mode):
 
 def row_name(parameters, *words):
     return ', '.join([PARAMETER_NAMES[parameters], *words[:-1], REWARD_NAMES[words[-1]]])
-
-
-def headings(setting, parameters):
-    """Returns the runs by heading at the start, which the thesis leaves open, and by reward."""
-    varied = {heading: {reward: Runs.of(setting, 'headings', variation=f'heading_{heading}', reward=reward,
-                                        parameters=parameters)
-                        for reward in REWARDS} for heading in ('goal', 'kept')}
-    return {'random': {reward: learned(setting, reward, parameters) for reward in REWARDS}, **varied}
-
-
-def nearest(setting):
-    """Returns rows with how far the four mean rates of success are from those of the thesis, the nearest first."""
-    off = {f'{PARAMETER_NAMES[parameters]}, heading: {heading}': sum(
-        abs(Spread(of_mode(of_reward[reward], mode, success)).mean - rate)
-        for (reward, mode), rate in THESIS_SUCCESS.items())
-           for parameters in READ for heading, of_reward in headings(setting, parameters).items()}
-    return [[name, f'{off[name]:.1f}'] for name in sorted(off, key=off.get)]
 
 
 def requirement(setting, reward):

@@ -30,6 +30,7 @@ def report(setting):
     reported = [f'{THESIS_SUCCESS[reward, mode]:.2f}' if measure == 'success' else ''
                 for measure, mode, reward in CELLS]
     add_table(chapter, setting, NAME, CELLS, [['the thesis', *reported]])
+    chapter.tabulate('nearest', ['', 'sum of the differences [points]'], nearest(setting))
     add_table(chapter, setting, 'contact', [('contact', mode, reward) for mode in MODES for reward in REWARDS], [])
     found = {choice['name']: [strongest(CHOICES, choices_of(setting), choice['name'],
                                         functools.partial(values_of, setting, cell=cell)) for cell in CELLS]
@@ -43,6 +44,14 @@ def report(setting):
     chapter.add_text(swing_text({reward: values_of(setting, THESIS, ('success', 'demo', reward))
                                  for reward in REWARDS}))
     return chapter
+
+
+def nearest(setting):
+    """Returns rows with how far the four mean rates of success are from those of the thesis, the nearest first."""
+    off = {CHOICES[variation]['label']: sum(
+        abs(values_of(setting, variation, ('success', mode, reward)).mean() - rate)
+        for (reward, mode), rate in THESIS_SUCCESS.items()) for variation in choices_of(setting)}
+    return [[label, f'{off[label]:.1f}'] for label in sorted(off, key=off.get)]
 
 
 def column_name(cell):

@@ -6,7 +6,7 @@ from crowd_experiments.records import Spread
 from ..results import BETTER, PARAMETERS, PARAMETER_NAMES, RATES, Runs, SETS, THESIS, rates_of, report_of
 
 NAME = 'sharing'
-EPISODES, QUICK_EPISODES = (0, 100, 1000, 4000), (0, 5)  # of the pioneer among several obstacles
+EPISODES, QUICK_EPISODES = (0, 1000, 4000), (0, 5)  # of the pioneer among several obstacles
 JUDGED_EPISODES = 50  # the last of those in which all agents continue learning
 USES = {'fixed': ('unchanged table', '#0072b2'), 'own': ('all continue learning, own tables', '#e69f00'),
         'shared': ('all continue learning, one shared table', '#cc79a7')}
