@@ -102,8 +102,8 @@ class ThesisTest(LaunchTestCase):
 
     def test_wrong_arguments(self):
         """All of them are named, before anything is trained."""
-        launched = self.show(state_set='true', scenario='circle_6', training='slow', training_episodes=0, learning='maybe',
-                             real_time_factor=-1, crowd_epsilon=2, epsilon='{from: 0.3')
+        launched = self.show(state_set='true', scenario='circle_6', training='slow', training_episodes=0,
+                             learning='maybe', real_time_factor=-1, crowd_epsilon=2, epsilon='{from: 0.3')
         self.assert_ends_with(
             launched, "~state_set: expected 1 or 2, got 'True'", "no scenario 'circle_6', did you mean 'circle6'?",
             "~training: expected fast or watched, got 'slow'",
