@@ -149,5 +149,22 @@ TEST(ProtectiveStop, LeavesAGapToPeopleThatStand) {
   EXPECT_LT(world.robots()[0].velocity.x(), -0.5);  // the way back is free
 }
 
+/// It does not walk in the next tick: the robot comes near to 0.55 m, the sum of both radii.
+TEST(ProtectiveStop, LeavesNoGapToAPersonWhoStays) {
+  RobotStart start = robot({0.0, 0.0});
+  start.limits = {1.0, 1.0, 1.0, 2.0, 0.0};
+  start.yields = Yields::ROBOT;
+  Scene made = with({start}, scene({scenes::agent({3.0, 0.2}, {3.0, 0.2}, 1.0)}));
+  made.agents[0].stays = true;
+  World world(made);
+  for (int tick = 0; tick < 100; ++tick) {
+    world.step({});
+    world.robots().command(0, {{5.0, 0.0}, 0.0});
+    EXPECT_TRUE(world.robots()[0].contacts.empty()) << "tick " << tick;
+  }
+  EXPECT_EQ(world.agents()[0].status, AgentStatus::STAYING);
+  EXPECT_NEAR((world.robots()[0].pose.position - Vector2(3.0, 0.2)).norm(), 0.55, 0.02);
+}
+
 }  // namespace
 }  // namespace crowd::robots::protective_stop_test
