@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 from learning_files import QTableFile
-from programs import ANTICIPATION_TABLE, PATIENCE, assert_says, read_bytes, read_text, wait_for
+from programs import ANTICIPATION_TABLE, PATIENCE, assert_says, in_package, read_bytes, read_text, wait_for
 from trainings import Training, config_of, size_of
 
 LIMIT = 500_000  # of the size of a file [bytes]
@@ -109,6 +109,18 @@ class InterruptionTest:
         longer.command[-1] = '400'
         assert longer.run(longer.resuming())[0] == 0
         assert_same(longer.results(), whole.results())
+
+
+class ShippedTest:
+    """Tables of the package."""
+
+    @pytest.mark.parametrize('states', ('nearest', 'occupancy'))
+    def test_those_of_the_thesis_are_what_their_configurations_give(self, runner, states):
+        first, table = runner.path('first.txt'), runner.path('table.txt')
+        runner.tool('train', in_package('config', 'learning', f'thesis_{states}.yaml'), '--output', first)
+        runner.tool('train', in_package('config', 'learning', f'thesis_{states}_field.yaml'), '--q-table', first,
+                    '--output', table)
+        assert read_text(table) == read_text(in_package('config', 'q_tables', f'thesis_{states}.txt'))
 
 
 class RefusalTest:
