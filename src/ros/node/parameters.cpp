@@ -116,14 +116,13 @@ bool Parameters::flag(const std::string& name, bool otherwise) {
 
 double Parameters::number(const std::string& name, double otherwise, const NumberRange& range,
                           const std::string& alternative) {
-  const std::string expected = toText(range) + alternative;
-  XmlRpcValue* const value = find(name, expected, toText(otherwise));
+  XmlRpcValue* const value = find(name, toText(range), toText(otherwise));
   if (value == nullptr) return otherwise;
   double number = std::nan("");
   if (value->getType() == XmlRpcValue::TypeDouble) number = static_cast<double>(*value);
   if (value->getType() == XmlRpcValue::TypeInt) number = static_cast<int>(*value);
   if (range.contains(number)) return number;
-  expect(name, expected, *value);
+  expect(name, toText(range) + alternative, *value);
   return otherwise;
 }
 
