@@ -95,7 +95,7 @@ class ReproduceTest:
         running = self.reproduce(runner, 'ambiguity')
         wait_for(lambda: self.stamps(runner), 'the first run')
         assert running.stop() == 130, running.output()
-        done = re.search(r'Interrupted: (\d+) of 160 runs are done and kept', running.output())
+        done = re.search(r'Interrupted: (\d+) of 128 runs are done and kept', running.output())
         assert done is not None, running.output()
         assert len(self.stamps(runner)) == int(done[1])
 

@@ -21,7 +21,7 @@ FAILURES = (('one obstacle perceived', (ALONE,), CLEAN),
 
 
 def report(setting):
-    chapter = report_of('ambiguity', setting, 10)
+    chapter = report_of('ambiguity', setting, 8)
     add_same_state(chapter, setting)
     add_failures(chapter, setting)
     add_perceptions(chapter, setting)

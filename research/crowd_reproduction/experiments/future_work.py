@@ -18,7 +18,7 @@ COLOUR = '#8e5ea2'
 
 
 def report(setting):
-    chapter = report_of(NAME, setting, 10, least=LEAST_SECTORS, soon=SOON)
+    chapter = report_of(NAME, setting, 8, least=LEAST_SECTORS, soon=SOON)
     found = {variation: surrounded(runs_of(setting, variation), SCENARIO, WATCHED) for variation in LABELS}
     add_figure(chapter, setting, found)
     chapter.tabulate(NAME, ['', *RATE_HEADER, 'path ratio (arrivals only)', 'time ratio (arrivals only)',

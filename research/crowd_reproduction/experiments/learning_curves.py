@@ -10,7 +10,7 @@ SCENARIOS = {'training_field': ('one agent among obstacles', '-'), 'circle6': ('
 
 
 def report(setting):
-    chapter = report_of('learning_curves', setting, 10)
+    chapter = report_of('learning_curves', setting, 8)
     curves = {(states, parameters): Curve(setting, states, parameters) for states in SETS
               for parameters in PARAMETERS[states]}
     add_figure(chapter, {(states, parameters): Curve(setting, states, parameters) for states in SETS

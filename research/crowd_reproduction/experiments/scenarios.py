@@ -24,7 +24,7 @@ SYNCHRONICITY = {'circle12_exact': 'starts exactly on the circle',
 
 
 def report(setting):
-    chapter = report_of('scenarios', setting, 10, least=LEAST_SECTORS, soon=SOON)
+    chapter = report_of('scenarios', setting, 8, least=LEAST_SECTORS, soon=SOON)
     header = ['', *RATE_HEADER, 'episodes: all arrive, no contact %', 'episodes: all arrive, no collision %',
               'path ratio (arrivals only)', *(f'crowd trained together: {rate}' for rate in RATE_HEADER)]
     columns = PARAMETERS['occupancy']

@@ -13,7 +13,7 @@ USES = {'fixed': ('unchanged table', '#0072b2'), 'own': ('all continue learning,
 
 
 def report(setting):
-    chapter = report_of(NAME, setting, 10, judged=JUDGED_EPISODES)
+    chapter = report_of(NAME, setting, 8, judged=JUDGED_EPISODES)
     add_figure(chapter, setting, {(states, use): curve(setting, states, use) for states in SETS for use in USES})
     chapter.tabulate(NAME, ['', *(f'{use}: {measure} %' for use in ('unchanged table', 'own tables', 'one table')
                                   for measure in RATES)], [
