@@ -16,8 +16,8 @@ namespace crowd {
 ///
 /// An agent on its way that comes within the radius of an attraction, and sees it, stops with its probability, which is
 /// drawn once for each agent and attraction. It gets a further goal before its present one, a free place in the area
-/// (in a box not farther away than twice the radius in x and y), stands there, and goes on. If there is no free place,
-/// or it takes too long to get there, it goes on at once.
+/// (in a box not farther away than twice the radius in x and y), stands there, and goes on. It also goes on if there is
+/// no free place, or if the way there takes too long.
 class Attractions {
  public:
   /// @brief Whether an agent on its way may stop now.

@@ -78,8 +78,8 @@ class GroupsTest:
         assert math.isnan(first[1])
 
     def test_hidden_share(self):
-        # Three discs of 0.25 m on a line: each end has the middle one before the other end; the one aside, 0.6 m away
-        # from the middle one, is not hidden for anybody, and is nobody's cover.
+        # Three discs of 0.25 m on a line: the middle one hides each end from the other end. The fourth disc, 0.6 m to
+        # the side of the middle one, hides no disc, and none hides it.
         places = places_of([(-0.6, 0), (0, 0), (0.6, 0), (0, 0.6)])
         # Within 1 m of the centre: rims at most 1 m away, which all are. Each agent sees three, twelve in all; two of
         # them, both ends from the other end, are hidden.
