@@ -6,7 +6,8 @@ from crowd_studies.program import Report
 
 from . import crowd_judges, reward_judges, twins
 from .claim import Claim, NOT_CONFIRMED, VERDICTS, all_of
-from .results import LEAD, READINGS, Reading, TEXTS
+from .declared import LEAD, READINGS, Reading
+from .results import TEXTS
 
 DECLARED = yaml.safe_load(pathlib.Path(__file__).with_suffix('.yaml').read_text(encoding='utf-8'))
 JUDGES = {**vars(crowd_judges), **vars(twins), **vars(reward_judges)}

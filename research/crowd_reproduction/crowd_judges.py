@@ -10,7 +10,8 @@ from .crowds import (CROWDED, DUMMIES, EXACT, GROUPING, LEAST_SECTORS, OBSTACLE_
                      outcome_sentence, phases, rates, record_file, recorded, surrounded)
 from .experiments import future_work, learning_curves, sharing
 from .measures import COLLISION_RADIUS, CONTACT_OVERLAP, RADIUS, share
-from .results import PARAMETER_NAMES, RATES, SETS, THESIS, obstacle_places, per_seed, rates_sentence
+from .declared import SETS, THESIS
+from .results import PARAMETER_NAMES, RATES, obstacle_places, per_seed, rates_sentence
 
 PASSED, ARRIVING = 2, 3  # of TIMES
 STARTS = numpy.array([3.25, 1.95, 0.65, -0.65, -1.95, -3.25])  # of line6 [m]

@@ -9,7 +9,8 @@ from crowd_experiments import style
 from crowd_studies.scene_figures import draw_moment, draw_scene, frame_alike, last_tick_of
 
 from . import measures
-from .results import BETTER, DRAWN, PARAMETER_NAMES, THESIS, Runs, episodes_of, means_sentence, obstacle_places
+from .declared import BETTER, DRAWN, THESIS
+from .results import PARAMETER_NAMES, Runs, episodes_of, means_sentence, obstacle_places
 
 SCENARIOS = {
     'dummies': 'a field of static dummies', 'circle6': 'six agents on a circle, each walks to the opposite point',

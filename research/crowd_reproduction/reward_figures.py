@@ -8,7 +8,8 @@ from crowd_experiments.variations import heading_of, read_documents
 from crowd_studies.scene_figures import frame_alike
 from matplotlib.ticker import ScalarFormatter
 
-from .results import BETTER, DRAWN, PARAMETER_NAMES, REWARDS, REWARD_COLOURS, REWARD_NAMES
+from .declared import BETTER, DRAWN, REWARDS
+from .results import PARAMETER_NAMES, REWARD_COLOURS, REWARD_NAMES
 from .reward_measures import (MODES, SPEED, THESIS_SUCCESS, collision, gain_per_step, learned, of_mode, path_per_gain,
                               success)
 

@@ -9,7 +9,8 @@ from crowd_experiments.records import spread_text
 from . import reward_measures as measures
 from .claim import (CONFIRMED, Judgement, LEAST_SHARE, NOT_CONFIRMED, PARTLY, VERDICTS, best_of, compared, decide,
                     decide_each, decide_near, joined, number_text)
-from .results import Runs, REWARDS, REWARD_NAMES, per_seed
+from .declared import REWARDS
+from .results import Runs, REWARD_NAMES, per_seed
 from .reward_measures import MODES, THESIS_SUCCESS, learned, of_mode
 
 DIFFERENT = 5.0  # [points] rates that differ by more do not depict each other

@@ -5,7 +5,8 @@ import numpy
 from crowd_experiments.records import (median, path_per_gain, percent,  # noqa: F401: also a measure of claims.yaml
                                        ratios_per_gain)
 
-from .results import RATES, Runs, THESIS, per_seed
+from .declared import THESIS
+from .results import RATES, Runs, per_seed
 
 MODES = ('training', 'demo')
 LEG = 20  # [decisions] length of the legs of a path, whose directions are compared

@@ -5,7 +5,8 @@ from crowd_experiments.records import Spread, percent
 
 from .claim import Judgement, NOT_CONFIRMED, VERDICTS, compared, decide_all, graded, joined, number_text
 from .measures import crossing
-from .results import BETTER, Runs, SETS, THESIS
+from .declared import BETTER, SETS, THESIS
+from .results import Runs
 
 SCENES = {'same_state_a': 'a: one obstacle', 'same_state_b': 'b: a wide obstacle', 'same_state_c': 'c: two obstacles'}
 TESTS = {'twins_a': 'a: overlapping', 'twins_b': 'b: close', 'twins_c': 'c: gap too small', 'twins_d': 'd: tight gap'}

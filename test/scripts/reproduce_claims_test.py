@@ -6,7 +6,7 @@ import numpy
 import pandas
 import pytest
 from crowd_experiments.records import Spread, median, read_csv, read_visits, spread_text
-from crowd_reproduction import claim, claims, results, reward_judges, reward_measures
+from crowd_reproduction import claim, claims, declared, results, reward_judges, reward_measures
 from crowd_reproduction.experiments import sensitivity
 from crowd_experiments.variations import Setting, read_documents
 from crowd_studies.program import Report
@@ -121,7 +121,7 @@ class ClaimTest:
         def judged(first, second):
             return [claim.Judgement('5 of 8', first, '5'), claim.Judgement('0 of 8', second, '0')]
         never = judged(claim.CONFIRMED, claim.NOT_CONFIRMED)
-        found = dict.fromkeys(results.READINGS, never)
+        found = dict.fromkeys(declared.READINGS, never)
         found['constant'] = judged(claim.PARTLY, claim.NOT_CONFIRMED)
         claims.add_claims(chapter, listed, found)
         tally, verdicts, measured = chapter.tables()
@@ -170,8 +170,8 @@ class SensitivityTest:
         assert '(distance gained 0.0 to 100.0 %, cos³ 26.5 to 80.0 %). So 2 seeds' in text
 
     def test_names(self):
-        assert len(results.CHOICES) == 1 + sum(len(choice['others']) for choice in results.DECLARED['choices'])
-        assert 'sector_limits_of_set_1_degrees_22.5_67.5_112.5_180' in results.CHOICES
+        assert len(declared.CHOICES) == 1 + sum(len(choice['others']) for choice in declared.DECLARED['choices'])
+        assert 'sector_limits_of_set_1_degrees_22.5_67.5_112.5_180' in declared.CHOICES
 
 
 class DeclaredRunsTest:
@@ -182,8 +182,8 @@ class DeclaredRunsTest:
         return Setting(pathlib.Path('/tools'), pathlib.Path(in_package('config')), tmp_path)
 
     def test_words(self, setting):
-        def words(declared, **keys):
-            return [[*map(str, command)] for command in results.commands_of(setting, declared, {'seed': 3, **keys})]
+        def words(line, **keys):
+            return [[*map(str, command)] for command in declared.commands_of(setting, line, {'seed': 3, **keys})]
         assert words('walk a.txt --episodes 50|2 ~nine')[0][:9] == [
             '/tools/evaluate', '--q-table', 'a.txt', '--threads', '1', '--seed', '1003', '--episodes', '50']
         assert len(words('walk a.txt --episodes 50|2 ~nine')[0]) == 9 + 9
@@ -194,33 +194,33 @@ class DeclaredRunsTest:
         assert tables == ['05.txt', '06.txt']
 
     def test_variations_change_configuration_and_scenario(self, setting):
-        command, = results.commands_of(setting, 'train @reward_{reward}', {
+        command, = declared.commands_of(setting, 'train @reward_{reward}', {
             'seed': 1, 'variation': 'heading_at_the_start_goal', 'reward': 'cosine_cubed'})
         scenario, = read_documents(command[1])[0]['training']['scenarios']
         assert read_documents(scenario)[0]['agents'][0]['heading'] == 'goal'
-        command, = results.commands_of(setting, 'train @agent_single_occupancy', {'seed': 1, 'variation': 'stay_1'})
+        command, = declared.commands_of(setting, 'train @agent_single_occupancy', {'seed': 1, 'variation': 'stay_1'})
         assert read_documents(command[1])[0]['reward']['stay_cost'] == 1.0
 
     def config(self, setting, name, **keys):
-        return read_documents(results.config_file(setting, name, keys))[0]
+        return read_documents(declared.config_file(setting, name, keys))[0]
 
     def test_readings(self, setting):
         sectors = [15, 45, 90, 180]
         lead = self.config(setting, 'agent_field_occupancy', states='occupancy')
         assert lead['state_set']['obstacle_sectors'] == sectors
         assert lead['learning']['epsilon'] == {'from': 0.3, 'to': 0.01, 'shape': 'exponential', 'episodes': 4000}
-        other = self.config(results.Reading.of(setting, 'uneven'), 'agent_field_occupancy', states='occupancy')
+        other = self.config(declared.Reading.of(setting, 'uneven'), 'agent_field_occupancy', states='occupancy')
         assert other['state_set']['obstacle_sectors'] == sectors
         assert other['learning']['epsilon'] == 0.1
         # The sectors of set 1 are the same in all readings; a crowd that goes on learning keeps its small epsilon.
-        assert results.parameters_of(results.Reading.of(setting, 'uneven'), {'states': 'nearest'}) == 'constant'
-        assert results.parameters_of(setting, {'reward': 'cosine_cubed'}) == 'fading'
+        assert declared.parameters_of(declared.Reading.of(setting, 'uneven'), {'states': 'nearest'}) == 'constant'
+        assert declared.parameters_of(setting, {'reward': 'cosine_cubed'}) == 'fading'
         assert self.config(setting, 'sharing_crowd_nearest', states='nearest')['learning']['epsilon'] == 0.01
         # A choice replaces the value of the reading.
         keys = {'reward': 'cosine_cubed', 'variation': 'epsilon_in_training_0.1'}
         assert self.config(setting, 'reward_cosine_cubed', **keys)['learning']['epsilon'] == 0.1
 
-    @pytest.mark.parametrize('states', results.SETS)
+    @pytest.mark.parametrize('states', declared.SETS)
     def test_the_measured_agent_is_the_one_that_ships(self, setting, states):
         for part, shipped in (('single', ''), ('field', '_field')):
             ours = self.config(setting, f'agent_{part}_{states}', states=states)
@@ -231,7 +231,7 @@ class DeclaredRunsTest:
             assert ours == theirs
 
     def test_every_run_has_its_own_folder(self, setting):
-        runs = [run for group in results.GROUPS for run in results.runs_of(setting, group)]
+        runs = [run for group in declared.GROUPS for run in results.runs_of(setting, group)]
         assert len({run.folder for run in runs}) == len(runs)
 
 

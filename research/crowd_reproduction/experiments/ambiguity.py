@@ -8,7 +8,8 @@ from crowd_experiments.records import Spread
 from crowd_studies.scene_figures import draw_perception, draw_scene, frame_alike
 
 from ..measures import sectors_of
-from ..results import BETTER, PARAMETERS, PARAMETER_NAMES, RATE_HEADER, SETS, THESIS, rate_texts, report_of
+from ..declared import BETTER, PARAMETERS, SETS, THESIS
+from ..results import PARAMETER_NAMES, RATE_HEADER, rate_texts, report_of
 from ..twins import ALONE, SCENES, TESTS, TRAININGS, Agent, first_decision, rows_of
 
 DRAWN = {THESIS: 'single', BETTER: 'field'}  # the training that figure 4.16 shows

@@ -3,7 +3,8 @@ import functools
 
 from crowd_experiments import style
 
-from ..results import CROWD_CHOICES, LISTS, RATES, Runs, SETS, choices_of, report_of
+from ..declared import CROWD_CHOICES, LISTS, SETS, choices_of
+from ..results import RATES, Runs, report_of
 from .sensitivity import LEAST_ERRORS, LEAST_POINTS, effects_text, strongest
 
 NAME = 'crowd_sensitivity'

@@ -3,7 +3,8 @@ from crowd_experiments import style
 from crowd_experiments.records import Spread
 
 from ..crowds import LEAST_SECTORS, SOON, agents, surrounded
-from ..results import LEAD, RATE_HEADER, Runs, THESIS, rate_texts, report_of
+from ..declared import LEAD, THESIS
+from ..results import RATE_HEADER, Runs, rate_texts, report_of
 from .scenarios import SURROUNDED, surrounded_row
 
 NAME = 'future_work'

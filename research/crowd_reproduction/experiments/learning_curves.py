@@ -4,7 +4,8 @@ from crowd_experiments import style
 from crowd_experiments.records import Spread
 
 from ..crowds import agents
-from ..results import DRAWN, PARAMETERS, PARAMETER_NAMES, RATES, SETS, report_of
+from ..declared import DRAWN, PARAMETERS, SETS
+from ..results import PARAMETER_NAMES, RATES, report_of
 
 SCENARIOS = {'training_field': ('one agent among obstacles', '-'), 'circle6': ('six on a circle', ':')}
 

@@ -3,8 +3,8 @@ import numpy
 from crowd_experiments.records import Spread, spread_text
 from crowd_experiments.variations import heading_of, read_documents
 
-from ..results import (BETTER, PARAMETERS, PARAMETER_NAMES, RATES, RATE_HEADER, REWARDS, REWARD_NAMES, Runs, SETS,
-                       THESIS, report_of)
+from ..declared import BETTER, PARAMETERS, REWARDS, SETS, THESIS
+from ..results import PARAMETER_NAMES, RATES, RATE_HEADER, REWARD_NAMES, Runs, report_of
 from ..reward_figures import add_figures
 from ..reward_measures import (MODES, THESIS_SUCCESS, collision, contact, gain_per_step, learned, of_mode,
                                path_per_gain, path_ratio, success, turning)

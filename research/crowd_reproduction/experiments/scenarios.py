@@ -5,7 +5,8 @@ from crowd_experiments.records import Spread
 from ..crowds import (APART, CROWDED, GROUPING, LEAST_SECTORS, SCENARIOS, SOON, TIMES, VISIT_CLASSES, WATCHED,
                       add_dummies, add_figures, add_groups, agents, by_visits, last_metre, phases, rates, surrounded)
 from ..measures import share
-from ..results import PARAMETERS, PARAMETER_NAMES, RATE_HEADER, Runs, SETS, THESIS, rate_texts, report_of
+from ..declared import PARAMETERS, SETS, THESIS
+from ..results import PARAMETER_NAMES, RATE_HEADER, Runs, rate_texts, report_of
 
 # Columns of tables about surrounded agents: measure of a Surrounded and decimals, by title.
 SURROUNDED = {

@@ -5,7 +5,8 @@ import numpy
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 
-from ..results import CHOICES, DECLARED, REWARDS, REWARD_COLOURS, REWARD_NAMES, Runs, choices_of, chosen, report_of
+from ..declared import CHOICES, DECLARED, REWARDS, choices_of, chosen
+from ..results import REWARD_COLOURS, REWARD_NAMES, Runs, report_of
 from ..reward_measures import MODES, THESIS_SUCCESS
 
 NAME = 'sensitivity'

@@ -3,7 +3,8 @@ import numpy
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 
-from ..results import BETTER, PARAMETERS, PARAMETER_NAMES, RATES, Runs, SETS, THESIS, rates_of, report_of
+from ..declared import BETTER, PARAMETERS, SETS, THESIS
+from ..results import PARAMETER_NAMES, RATES, Runs, rates_of, report_of
 
 NAME = 'sharing'
 EPISODES, QUICK_EPISODES = (0, 1000, 4000), (0, 5)  # of the pioneer among several obstacles
