@@ -94,8 +94,8 @@ struct Agent {
     velocity = Vector2::Zero();
     holds = 0;
   }
-  /// @brief The same at its last goal: it stays there, or leaves.
-  void arrive(std::uint64_t tick) { end(stays ? AgentStatus::STAYING : AgentStatus::ARRIVED, tick); }
+  /// @brief What it becomes at its last goal.
+  AgentStatus statusAtEnd() const { return stays ? AgentStatus::STAYING : AgentStatus::ARRIVED; }
   bool isHeldBy(Hold reason) const { return (holds & bitOf(reason)) != 0; }
   bool isHeld() const { return holds != 0; }
   void setHeld(Hold reason, bool is_held) {

@@ -299,7 +299,7 @@ inline void World::endMove(std::size_t position, std::size_t& arrivals) {
     return;
   }
   ++agent.next_goal;
-  agent.arrive(tick_);
+  agent.end(agent.statusAtEnd(), tick_);
   ++arrivals;
 }
 

@@ -73,9 +73,7 @@ void WorldEditor::removeAgent(AgentId id) { end(id, AgentStatus::REMOVED); }
 
 void WorldEditor::leave(AgentId id) { end(id, AgentStatus::ARRIVED); }
 
-void WorldEditor::arrive(AgentId id) {
-  end(id, world_.walkingAgent(id).stays ? AgentStatus::STAYING : AgentStatus::ARRIVED);
-}
+void WorldEditor::arrive(AgentId id) { end(id, world_.walkingAgent(id).statusAtEnd()); }
 
 void WorldEditor::setGoal(AgentId id, const Vector2& goal) {
   requirePlace("goal [m]", goal);

@@ -1,37 +1,21 @@
 #include "learning/actions/kings_moves.h"
 
-#include <algorithm>
-
 namespace crowd {
-namespace {
-
-CandidateMove toMove(const RelativeAction& action) {
-  return {unitVector(action.rotation), action.speed_fraction, action.speed_fraction};
-}
-
-}  // namespace
 
 KingsMoves::KingsMoves(int rotations, bool stay, Directions directions)
     : rotations_(static_cast<Action>(rotations)), directions_(directions) {
   for (int i = 0; i < rotations; ++i) relative_actions_.push_back({2.0 * PI * i / rotations, 1.0});
   if (stay) relative_actions_.push_back({0.0, 0.0});
-  moves_.resize(blocksOf(size()));
-  for (Action action = 0; action < size(); ++action) {
-    setMove(moves_.data(), action, toMove(relative_actions_[action]));
-  }
-  repeatLast(moves_.data(), size());
 }
 
 void KingsMoves::findMoves(const PerceptionBatch& batch, MoveBlock* moves) const {
   for (const Perception& seen : batch) {
-    std::copy(moves_.begin(), moves_.end(), moves);
-    if (directions_ == Directions::ABSOLUTE) {
-      for (Action action = 0; action < size(); ++action) {
-        setMove(moves, action, toMove(relativeAction(seen, moves, action)));
-      }
-      repeatLast(moves, size());
+    for (Action action = 0; action < size(); ++action) {
+      const auto [rotation, speed_fraction] = relativeAction(seen, moves, action);
+      setMove(moves, action, {unitVector(rotation), speed_fraction, speed_fraction});
     }
-    moves += moves_.size();
+    repeatLast(moves, size());
+    moves += blocksOf(size());
   }
 }
 

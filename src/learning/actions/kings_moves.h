@@ -33,7 +33,6 @@ class KingsMoves : public ActionSet {
   Action rotations_;
   Directions directions_;
   std::vector<RelativeAction> relative_actions_;
-  std::vector<MoveBlock> moves_;  // the same for all agents, with relative directions
 };
 
 /// @brief Reads a map of the parameters, all optional. @throws InputError

@@ -30,23 +30,20 @@ NearestObstacleStates::NearestObstacleStates(const Parameters& parameters)
       obstacle_sectors_(parameters.obstacle_sectors),
       directions_(parameters.directions) {}
 
-double NearestObstacleStates::turnOf(const Perception& perception) const {
-  return directions_ == Directions::ABSOLUTE ? perception.self.pose.heading : 0.0;
-}
-
 void NearestObstacleStates::findRows(const PerceptionBatch& batch, const MoveBlock* /*moves*/, Row* rows) const {
   for (const Perception& seen : batch) *rows++ = rowOf(describe(seen));
 }
 
 NearestObstacleStates::Situation NearestObstacleStates::describe(const Perception& perception) const {
   Situation situation;
-  situation.goal_sector = goal_sectors_.indexOf(bearingOf(perception.self.goal) + turnOf(perception));
+  const double frame = frameAngle(perception);
+  situation.goal_sector = goal_sectors_.indexOf(bearingOf(perception.self.goal) + frame);
   const auto [distance, where] = findNearest(perception);
   situation.distance_class = distances().classOf(distance);
   if (situation.distance_class == 0) return situation;
+  // wrapAngle() would make -pi of pi, which is on the other side.
   const double bearing = bearingOf(where);
-  const double turn = turnOf(perception);
-  situation.obstacle_sector = obstacle_sectors_.indexOf(turn == 0.0 ? bearing : wrapAngle(bearing + turn));
+  situation.obstacle_sector = obstacle_sectors_.indexOf(frame == 0.0 ? bearing : wrapAngle(bearing + frame));
   return situation;
 }
 
@@ -86,9 +83,9 @@ std::vector<int> NearestObstacleStates::distanceClasses(Row row) const {
 std::vector<OccupiedSector> NearestObstacleStates::occupiedSectors(const Perception& perception) const {
   const Situation situation = describe(perception);
   if (situation.distance_class == 0) return {};
-  const double turn = turnOf(perception);
-  return {{obstacle_sectors_.rightLimit(situation.obstacle_sector) - turn,
-           obstacle_sectors_.leftLimit(situation.obstacle_sector) - turn, situation.distance_class}};
+  const double frame = frameAngle(perception);
+  return {{obstacle_sectors_.rightLimit(situation.obstacle_sector) - frame,
+           obstacle_sectors_.leftLimit(situation.obstacle_sector) - frame, situation.distance_class}};
 }
 
 std::string NearestObstacleStates::spec() const {

@@ -49,8 +49,10 @@ class NearestObstacleStates : public SectorStates, public ExplainedRows {
   Row terminal() const override;  // (3.4)
 
  private:
-  /// Returns what is added to bearings before they are sorted into sectors [rad].
-  double turnOf(const Perception& perception) const;
+  /// Returns the angle between the x axis of the agent's frame and the direction that sectors are relative to [rad].
+  double frameAngle(const Perception& perception) const {
+    return directions_ == Directions::ABSOLUTE ? perception.self.pose.heading : 0.0;
+  }
 
   EvenSectors goal_sectors_;
   MirroredSectors obstacle_sectors_;

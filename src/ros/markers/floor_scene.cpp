@@ -20,7 +20,6 @@ AgentStart startOf(const Agent& agent, const Scene& scene) {
   start.kind = agent.kind;
   start.figure = agent.figure;
   start.leaves = agent.leaves;
-  start.stays = agent.stays;
   if (agent.id < scene.agents.size()) start.route = scene.agents[agent.id].route;
   return start;
 }
