@@ -6,7 +6,7 @@ import time
 import rospy
 from social_crowd.msg import Scenario
 
-from .nodes import ending_of, start_node, stop_nodes
+from .nodes import NodeError, ending_of, start_node, stop_nodes
 
 
 class LearnerCrew:
@@ -38,7 +38,7 @@ class LearnerCrew:
                 rospy.logerr('learner_%d %s', agent, ending_of(learner.returncode))
                 self.ended.add(agent)
                 if learner.returncode > 0:  # the start failed; a learner that was killed has a negative code
-                    raise ChildProcessError('learner_%d could not be started' % agent)
+                    raise NodeError('learner_%d could not be started' % agent)
 
     def run(self):
         try:
@@ -64,5 +64,5 @@ def main():
         sys.exit("learner_crew: ~learners: expected one, per_agent or none, got '%s'" % learners)
     try:
         LearnerCrew().run()
-    except ChildProcessError as error:
+    except NodeError as error:
         sys.exit('learner_crew: %s' % error)

@@ -8,11 +8,23 @@ import rospy
 PATIENCE = 5.0  # [s] time for a node to write its files and end
 
 
+class NodeError(Exception):
+    """A program of the package is missing or has failed, or a node has refused a request."""
+
+
+def find_program(name):
+    """Returns the file of a program of the package. Raises NodeError if it is not built."""
+    files = roslib.packages.find_node('social_crowd', name)
+    if not files:
+        raise NodeError(f"the program '{name}' is not built: scripts/build builds all programs")
+    return files[0]
+
+
 def start_node(kind, name, parameters):
     """Starts a node in the namespace of this one, with these parameters in place of those of an earlier node of this
-    name. Returns its process."""
+    name. Returns its process. Raises NodeError if it is not built."""
+    program = find_program(kind)
     rospy.set_param(rospy.resolve_name(name), parameters)
-    program = roslib.packages.find_node('social_crowd', kind)[0]
     # In its own process group, so that Ctrl-C is sent to this node only, which then stops the others.
     return subprocess.Popen([program, '__name:=' + name, '__ns:=' + rospy.get_namespace()], start_new_session=True)
 

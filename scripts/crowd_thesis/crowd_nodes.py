@@ -5,16 +5,12 @@ import xmlrpc.client
 
 import rosgraph
 import rospy
-from crowd_launching.nodes import ending_of, start_node, stop_nodes
+from crowd_launching.nodes import NodeError, ending_of, start_node, stop_nodes
 from social_crowd.msg import EpisodeResult
 
 CONTROLLER, LEARNER = 'crowd_controller', 'learner'
 PERIOD = 0.05  # [s] between two checks
 PATIENCE = 10.0  # [s] for the last messages of a node that has ended
-
-
-class NodeError(Exception):
-    """A node has ended that should not, or a service has failed."""
 
 
 class Stopped(Exception):

@@ -3,6 +3,7 @@ import contextlib
 import os
 
 import numpy
+from crowd_experiments.pages import Table
 from crowd_experiments.records import path_per_gain, percent, read_csv
 from social_crowd.msg import AgentResult
 
@@ -35,17 +36,11 @@ FIGURES = [
 ]
 
 
-def table_of(records):
+def table_of(title, records):
     """Returns a table of all figures. Records: [(title of a column, file)]."""
-    columns = [['', *(title for title, _ in FIGURES)]]
-    for title, file in records:
-        rows = read_csv(file)
-        columns.append([title, *(text_of(rows) for _, text_of in FIGURES)])
-    first, *others = [[max(map(len, column)), column] for column in columns]
-    lines = []
-    for i, name in enumerate(first[1]):
-        lines.append(name.ljust(first[0]) + ''.join('   ' + column[i].rjust(width) for width, column in others))
-    return '\n'.join(line.rstrip() for line in lines)
+    columns = {column: read_csv(file) for column, file in records}
+    return Table(title, ['', *columns],
+                 [[name, *(text_of(rows) for rows in columns.values())] for name, text_of in FIGURES])
 
 
 def draw(plan, curves, scenario):

@@ -3,11 +3,12 @@ import pathlib
 
 import rospy
 from crowd_drawing.errors import InputError, problem_of
+from crowd_launching.nodes import NodeError
 from crowd_launching.program import end_launch
 from social_crowd import srv
 from std_srvs.srv import SetBool
 
-from .crowd_nodes import LEARNER, CrowdNodes, NodeError, Stopped
+from .crowd_nodes import LEARNER, CrowdNodes, Stopped
 from .figures import SCENE, TRAJECTORIES, draw, table_of, write_record
 from .plan import WATCHED, read_plan
 from .training import LEARNED, PARTS, train, train_watched, write_configuration
@@ -90,8 +91,8 @@ class Show:
         self.has_begun = False
         write_record(self.plan.file(CROWD), self.nodes.results)
         columns = [*((part.name, part.record) for part in PARTS), (self.name(), CROWD)]
-        print(f'\n{table_of([(title, self.plan.file(file)) for title, file in columns])}\n\n'
-              f'tables and records: {self.plan.folder}', flush=True)
+        table_of('Figures', [(title, self.plan.file(file)) for title, file in columns]).print()
+        print(f'\ntables and records: {self.plan.folder}', flush=True)
 
     def end(self):
         """Ends the nodes, so that the learner saves the tables; after an interruption, prints the figures."""

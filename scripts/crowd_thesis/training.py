@@ -2,16 +2,14 @@
 import subprocess
 import typing
 
-import roslib.packages
 import rospy
 import yaml
 from crowd_drawing.errors import read_documents
 from crowd_experiments.tools import find_config
-from crowd_launching.nodes import ending_of, stop_nodes
+from crowd_launching.nodes import NodeError, ending_of, find_program, stop_nodes
 from social_crowd import srv
 from std_srvs.srv import SetBool
 
-from .crowd_nodes import NodeError
 from .figures import write_record
 
 LEARNED = 'learned.txt'  # the table of the agent
@@ -70,8 +68,7 @@ def train(plan, nodes):
 
 def run(nodes, program, *words):
     """Runs a program of the package. Raises NodeError if it fails."""
-    path, = roslib.packages.find_node('social_crowd', program)[:1]
-    process = subprocess.Popen([path, *words], stdin=subprocess.DEVNULL, start_new_session=True)
+    process = subprocess.Popen([find_program(program), *words], stdin=subprocess.DEVNULL, start_new_session=True)
     try:
         nodes.wait(lambda: process.poll() is not None)
     finally:

@@ -33,7 +33,7 @@ class ThesisTest(LaunchTestCase):
 
     def check_figures(self, launched, results):
         """Checks the last column of the printed table against the results of the crowd."""
-        printed = dict(re.findall(r'^([a-z][^:#\n]*?) {3,}.* (\S+)$', launched.output(), re.MULTILINE))
+        printed = dict(re.findall(r'^([a-z][^:#\n]*?) {2,}.* (\S+)$', launched.output(), re.MULTILINE))
         agents = [agent for result in results for agent in result.agents]
         rates = {name: f'{100 * sum(getattr(agent, field) for agent in agents) / len(agents):.1f}'
                  for name, field in (('success', 'arrived'), ('collision', 'collided'), ('contact', 'touched'))}
