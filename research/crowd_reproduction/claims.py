@@ -1,7 +1,7 @@
 """The claims of chapters 3-5 of the thesis, judged by the results of the other experiments. Has no runs of its own."""
 import pathlib
 
-import yaml
+from crowd_drawing.errors import read_documents
 from crowd_studies.program import Report
 
 from . import crowd_judges, reward_judges, twins
@@ -9,7 +9,7 @@ from .claim import Claim, NOT_CONFIRMED, VERDICTS, all_of
 from .declared import LEAD, READINGS, Reading
 from .results import TEXTS
 
-DECLARED = yaml.safe_load(pathlib.Path(__file__).with_suffix('.yaml').read_text(encoding='utf-8'))
+DECLARED = read_documents(pathlib.Path(__file__).with_suffix('.yaml'))[0]
 JUDGES = {**vars(crowd_judges), **vars(twins), **vars(reward_judges)}
 SHORT = dict(zip(VERDICTS, ('confirmed', 'partly', 'not')))
 OTHERS = list(READINGS)[1:]

@@ -1,14 +1,14 @@
 """What runs.yaml declares: readings of the thesis, choices that it leaves open, and the commands of runs."""
 import dataclasses
+import functools
 import itertools
 import pathlib
 import re
 from types import MappingProxyType
 
-import yaml
 from crowd_experiments.variations import EVERY, Setting, read_documents, vary_config, vary_scenario
 
-DECLARED = yaml.safe_load(pathlib.Path(__file__).with_name('runs.yaml').read_text(encoding='utf-8'))
+DECLARED = read_documents(pathlib.Path(__file__).with_name('runs.yaml'))[0]
 GROUPS, LISTS, NEEDS, READINGS = (DECLARED[key] for key in ('groups', 'lists', 'needs', 'readings'))
 LEAD = next(iter(READINGS))  # the reading of the thesis that leads
 THESIS, BETTER = 'thesis', 'better'  # parameters: `thesis` stands for those of the reading of a setting
@@ -63,6 +63,7 @@ def chosen(setting, choice):
     return value_text(value)
 
 
+@functools.lru_cache(maxsize=None)  # all seeds need a file
 def scenario_file(setting, name, variation=None):
     """Returns the file of a scenario, which is written if it is not shipped as it is."""
     made = DECLARED['scenarios'].get(name)

@@ -29,7 +29,12 @@ def plan(experiment):
     return runs
 
 
+@functools.lru_cache(maxsize=None)  # several experiments need a group
 def runs_of(setting, group):
+    return list(planned_runs(setting, group))
+
+
+def planned_runs(setting, group):
     declared = GROUPS[group]
     for keys in combinations(setting, {'seed': setting.seeds(declared['seeds']), **declared['each']}):
         is_other = 'parameters' in keys and parameters_of(setting, keys) != keys['parameters']
