@@ -1,5 +1,4 @@
-"""Scenarios and robots of the benchmark; measures of episodes of one robot, from records of `evaluate --robots-csv`,
-and their tables."""
+"""Measures of episodes of one robot, from records of `evaluate --robots-csv`, and their tables."""
 import math
 import typing
 
@@ -11,24 +10,8 @@ from crowd_experiments.records import read_csv
 from crowd_experiments.runs import RunError
 from scipy.stats import binomtest
 
-SCENARIOS = ('robot_corridor_with', 'robot_corridor_against', 'robot_crossing', 'robot_overtaking', 'robot_door',
-             'robot_corner', 'robot_circle_5', 'robot_circle_20', 'robot_circle_50', 'robot_hall', 'robot_queue',
-             'robot_station')
-# Robots that are run here: the controller of `evaluate --robot`, and the keys that change in the robots of a scenario.
-ROBOTS = {
-    'straight': ('straight', {}),
-    'reactive': ('reactive', {}),
-    'learned': ('learned', {}),
-    'straight_stop': ('straight', {'yields': 'both'}),  # with protective stop
-    'learned_stop': ('learned', {'yields': 'both'}),
-}
-PLACEMENTS = 20  # episodes of each scenario
-ROS_PLACEMENTS = 5  # the same for robots that are driven through ROS
-# CrowdNav's setting: a circle of 4 m, five people, bodies of 0.3 m, 1 m/s, 25 s.
-CROWDNAV = 'robot_circle_5'
-CROWDNAV_EPISODES = 500
-VISIBLE, INVISIBLE = 'visible', 'invisible'
-CROWDNAV_KEYS = {VISIBLE: {}, INVISIBLE: {'perceived': False}}
+from .suite import INVISIBLE, VISIBLE
+
 # Published results of ORCA as the robot among people that walk by ORCA: episodes that it reached its goal without a
 # contact, episodes with a contact, and the mean time of the former [s].
 CROWDNAV_ORCA = {VISIBLE: (500, 0, 10.02), INVISIBLE: (213, 284, 10.86)}
@@ -37,6 +20,7 @@ CAUSES = ['robot_on_person_collisions', 'person_on_robot_collisions', 'mutual_co
 NEEDED = ['episode', 'scenario', 'robot', 'success', 'time_to_reach_goal', *CAUSES, 'personal_space_time']
 # Of `evaluate --people-delay` only: a run through ROS has no run without robots to compare with.
 PEOPLE = {'people_compared': 0.0, 'people_delay': math.nan, 'people_detour': math.nan}
+DENSITY = 'people_density'  # [1/m2]; of records that have it
 HEADER = ['success', 'success without contact', 'contacts: robot on person, person on robot, mutual', 'time [s]',
           'personal space [s]', "people's delay [s]", 'detour [m]']
 
@@ -94,28 +78,50 @@ def interval(count, total):
     return tuple(binomtest(count, total).proportion_ci(method='wilson')) if total else (0.0, 1.0)
 
 
-def chapter_of(records, scenarios, crowdnav):
-    """Returns the tables `robots/summary`, `robots/scenarios` and `robots/crowdnav`.
+def chapter_of(records, scenes, crowdnav):
+    """Returns the tables `robots/summary`, `robots/scenes` and `robots/crowdnav`.
 
-    @param records by robot, with the rows of all scenarios
+    @param records by robot, with the rows of all scenes
     @param crowdnav by (robot, VISIBLE or INVISIBLE): records in CrowdNav's setting"""
     chapter = Chapter('robots', 'Robots among people')
-    summary, single = [], []
-    for robot, record in records.items():
-        parts = {name: rows_of(record, name) for name in scenarios if (record['scenario'] == name).any()}
-        if parts:
-            low, high = (extreme(map(len, parts.values())) for extreme in (min, max))
-            episodes = f'{len(parts)} x {low}' + (f'-{high}' if low != high else '')
-            summary.append([robot, episodes, *Summary.of(pandas.concat(parts.values())).cells()])
-            single += [[name, robot, *Summary.of(rows).cells()] for name, rows in parts.items()]
-    single.sort(key=lambda row: scenarios.index(row[0]))
-    if summary:
-        chapter.add_table('All scenarios', ['robot', 'episodes', *HEADER], summary, 'summary')
-        chapter.add_table('By scenario', ['scenario', 'robot', *HEADER], single, 'scenarios')
+    parts = {robot: {name: rows_of(record, name) for name in scenes if (record['scenario'] == name).any()}
+             for robot, record in records.items()}
+    parts = {robot: of_robot for robot, of_robot in parts.items() if of_robot}
+    if parts:
+        chapter.add_table('All scenes', ['robot', 'episodes', *HEADER],
+                          [summary_row(robot, of_robot) for robot, of_robot in parts.items()], 'summary')
+        chapter.add_table('By scene: robots that arrived / without contact', ['scene', 'people per m²', *parts],
+                          scene_rows(parts, scenes), 'scenes')
     if crowdnav:
         chapter.add_table("CrowdNav's setting", ['people', 'robot', 'episodes', 'success', 'contact', 'neither',
                                                  'time [s]'], crowdnav_rows(crowdnav), 'crowdnav')
     return chapter
+
+
+def summary_row(robot, of_robot):
+    """Returns the row of a robot, given its records by scene."""
+    low, high = (extreme(map(len, of_robot.values())) for extreme in (min, max))
+    episodes = f'{len(of_robot)} x {low}' + (f'-{high}' if low != high else '')
+    return [robot, episodes, *Summary.of(pandas.concat(of_robot.values())).cells()]
+
+
+def scene_rows(parts, scenes):
+    """Returns a row for each scene that any robot was measured in."""
+    rows = []
+    for scene in scenes:
+        of_scene = {robot: of_robot[scene] for robot, of_robot in parts.items() if scene in of_robot}
+        if not of_scene:
+            continue
+        cells = [f'{summary.arrived} / {summary.clean}' if summary else '-' for summary in
+                 (Summary.of(of_scene[robot]) if robot in of_scene else None for robot in parts)]
+        rows.append([scene, density_text(of_scene.values()), *cells])
+    return rows
+
+
+def density_text(records):
+    """Returns the mean density of people in records [1/m2]; `-` where it was not measured."""
+    known = [record[DENSITY] for record in records if DENSITY in record]
+    return number_text(pandas.concat(known).mean(), 2) if known else '-'
 
 
 def crowdnav_rows(crowdnav):

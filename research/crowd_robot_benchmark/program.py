@@ -2,86 +2,42 @@
 import argparse
 import pathlib
 import shutil
-import typing
+import sys
 
 import pandas
-import yaml
-from crowd_drawing.errors import read_documents
 from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
 from crowd_experiments.pages import fill_document
-from crowd_experiments.runs import Run, RunError, execute_left
-from crowd_experiments.tools import REPOSITORY, find_config, find_evaluation
+from crowd_experiments.runs import RunError, execute_left
+from crowd_experiments.tools import find_config, find_evaluation
 from crowd_robots.driving import DRIVEN
 
-from .measures import (CROWDNAV, CROWDNAV_EPISODES, CROWDNAV_KEYS, PLACEMENTS, ROBOTS, ROS_PLACEMENTS, SCENARIOS,
-                       VISIBLE, chapter_of, read_record)
+from . import verify
+from .identity import Inputs
+from .measures import chapter_of, read_record
+from .results import write_results
+from .suite import CROWDNAV_EPISODES, EPISODES, RECORD, ROBOTS, ROS_EPISODES, Suite, scene_files
 
-RECORD = 'robots.csv'  # in a run's folder
-DRIVER = REPOSITORY / 'scripts' / 'drive_robots'
+RESULTS = 'results.csv'  # in the output folder
 DESCRIPTION = '''Measures robots among people: success, contacts by cause, time, discomfort, and what they cost people,
-in the shipped scenarios and in the setting of CrowdNav. Shares have 95 % intervals.'''
+in the scenes of config/scenarios/robots and in the setting of CrowdNav. Shares have 95 % intervals.'''
 EXAMPLES = '''examples:
-  research/robot_benchmark                                 all robots that `evaluate` drives, in all scenarios
-  research/robot_benchmark --robot learned --scenarios robot_door robot_queue
+  research/robot_benchmark                                 all robots that `evaluate` drives, in all scenes
+  research/robot_benchmark --robot learned --scenes robot_door robot_queue
   research/robot_benchmark --robot move_base --robot move_base_people   through ROS, where move_base is
   research/robot_benchmark --robot other=episodes.csv      adds a robot that was driven elsewhere
   research/robot_benchmark --table                         the tables of the results so far, without running anything
   research/robot_benchmark --document research/docs/robots.md  also updates the tables of the page
+  research/robot_benchmark verify results/robots/results.csv   repeats rows of a results file, see verify --help
+
+The results of `evaluate` are written to results.csv in the output folder: a row for each episode, with a hash of all that
+determines it. The same scenes, Q-table and program give the same file on every machine.
 
 A record of a robot that was driven elsewhere has the columns of `evaluate --robots-csv`, and one row an episode. Its
-rows belong to the scenario that the column `scenario` names; people_compared is 0 where people's delay is not known.
+rows belong to the scene that the column `scenario` names; people_compared is 0 where people's delay is not known.
 It is kept in the output folder, and is part of later tables.
 
-Completed runs are kept unless the program, the Q-table or their scenario has changed. Ctrl-C keeps the finished runs;
+Completed runs are kept unless the program, the Q-table or their scene has changed. Ctrl-C keeps the finished runs;
 the same command continues from there.'''
-
-
-class Benchmark(typing.NamedTuple):
-    """The tool, the Q-table of the people, and the folder of all results."""
-    evaluate: pathlib.Path
-    q_table: pathlib.Path
-    scenarios: pathlib.Path  # folder of the scenario files
-    output: pathlib.Path
-    placements: int
-    ros_placements: int  # of robots that are driven through ROS
-    crowdnav_episodes: int
-
-    def run_of(self, robot, scenario):
-        if robot in DRIVEN:
-            command = [DRIVER, '--robot', robot, '--q-table', self.q_table, '--episodes', self.ros_placements,
-                       '--robots-csv', RECORD, self.scenario({}, scenario)]
-            return Run(self.output / 'runs' / robot / scenario, [command], 10.0 * self.ros_placements)
-        return self.run(robot, scenario, scenario, {}, self.placements)
-
-    def crowdnav_runs(self, robot):
-        """Returns the runs in CrowdNav's setting, by VISIBLE and INVISIBLE, as far as they make sense for the robot."""
-        if robot in DRIVEN or self.crowdnav_episodes <= 0:
-            return {}
-        return {kind: self.run(robot, f'crowdnav_{kind}', CROWDNAV, keys, self.crowdnav_episodes)
-                for kind, keys in CROWDNAV_KEYS.items() if kind == VISIBLE or not ROBOTS[robot][1]}
-
-    def run(self, robot, name, scenario, keys, episodes):
-        """Returns the run of a robot in a scenario of which some keys of the robots are changed."""
-        controller, own_keys = ROBOTS[robot]
-        command = [self.evaluate, '--q-table', self.q_table, '--robot', controller, '--people-delay', '--episodes',
-                   episodes, '--threads', 1, '--robots-csv', RECORD, self.scenario({**own_keys, **keys}, scenario)]
-        return Run(self.output / 'runs' / robot / name, [command], float(episodes))
-
-    def scenario(self, keys, name):
-        """Returns the file of a scenario; writes a copy if keys of its robots change."""
-        file = self.scenarios / f'{name}.yaml'
-        if not keys:
-            return file
-        document = read_documents(file)[0]
-        for robot in document['robots']:
-            robot.update(keys)
-        if 'map' in document:
-            document['map'] = str((self.scenarios / document['map']).resolve())
-        folder = '_'.join(f'{key}_{value}' for key, value in keys.items()).lower()
-        copy = self.output / 'scenarios' / folder / f'{name}.yaml'
-        copy.parent.mkdir(parents=True, exist_ok=True)
-        copy.write_text(yaml.safe_dump(document, sort_keys=False), encoding='utf-8')
-        return copy
 
 
 def wanted_robot(text):
@@ -94,17 +50,17 @@ def wanted_robot(text):
     raise argparse.ArgumentTypeError(f"expected {names}, or NAME=FILE.csv with another name, got '{text}'")
 
 
-def main(words=None):
+def parser_for(scenes):
     parser = parser_of('robot_benchmark', DESCRIPTION, EXAMPLES)
     add = parser.add_argument
     add('--robot', type=wanted_robot, action='append', dest='robots', metavar='NAME[=FILE.csv]',
         help=f'{", ".join(ROBOTS)}; {", ".join(DRIVEN)} (through ROS); or a robot that was driven elsewhere and its '
              'record; may be given several times (default: those not through ROS)')
-    add('--scenarios', nargs='+', choices=SCENARIOS, default=SCENARIOS, metavar='NAME',
-        help=f'of {", ".join(SCENARIOS)} (default: all)')
-    add('--placements', type=positive, default=PLACEMENTS, metavar='N',
-        help='episodes of each scenario (default: %(default)s)')
-    add('--ros-placements', type=positive, default=ROS_PLACEMENTS, metavar='N',
+    add('--scenes', nargs='+', choices=scenes, default=list(scenes), metavar='NAME',
+        help=f'of {", ".join(scenes)} (default: all)')
+    add('--episodes', type=positive, default=EPISODES, metavar='N',
+        help='episodes of each scene, each with placements of its own (default: %(default)s)')
+    add('--ros-episodes', type=positive, default=ROS_EPISODES, metavar='N',
         help='the same for robots that are driven through ROS (default: %(default)s)')
     add('--crowdnav-episodes', type=int, default=CROWDNAV_EPISODES, metavar='N',
         help="episodes in CrowdNav's setting; 0: leave it out (default: %(default)s)")
@@ -114,43 +70,66 @@ def main(words=None):
     add_file(parser, '--document', metavar='FILE.md', help='also update the tables of this document')
     add_file(parser, '--q-table', help='Q-table of people and of the learned robot (default: anticipation)')
     add('--processes', type=positive, default=1, metavar='N', help='number of parallel runs (default: %(default)s)')
+    add('--threads', type=positive, default=1, metavar='N',
+        help='threads of each run; results do not depend on it (default: %(default)s)')
     add_tools(parser, 'evaluate')
-    arguments = parser.parse_args(words)
+    return parser
+
+
+def main(words=None):
+    words = sys.argv[1:] if words is None else words
+    if words[:1] == ['verify']:
+        return verify.main(words[1:])
+    scenes = scene_files(find_config())
+    arguments = parser_for(scenes).parse_args(words)
     evaluate, q_table = find_evaluation(arguments)
-    benchmark = Benchmark(evaluate, q_table, find_config() / 'scenarios', arguments.output.absolute(),
-                          arguments.placements, arguments.ros_placements, arguments.crowdnav_episodes)
+    suite = Suite(evaluate, q_table, scenes, arguments.output.absolute(), arguments.episodes, arguments.ros_episodes,
+                  arguments.crowdnav_episodes, arguments.threads)
     if not arguments.table:
-        carry_out(benchmark, arguments)
-    report(benchmark, arguments.document)
+        carry_out(suite, arguments)
+    report(suite, arguments.document)
+    return 0
 
 
-def carry_out(benchmark, arguments):
+def carry_out(suite, arguments):
     robots = dict(arguments.robots or [(name, None) for name in ROBOTS])
     for robot, file in robots.items():
         if file:  # of a robot that was driven elsewhere
             read_record(file)
-            kept = benchmark.output / 'others' / f'{robot}.csv'
+            kept = suite.output / 'others' / f'{robot}.csv'
             kept.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(file, kept)
     runs = [run for robot, file in robots.items() if not file
-            for run in [*(benchmark.run_of(robot, scenario) for scenario in arguments.scenarios),
-                        *benchmark.crowdnav_runs(robot).values()]]
+            for run in [*(suite.run_of(robot, scene) for scene in arguments.scenes),
+                        *suite.crowdnav_runs(robot).values()]]
     execute_left(runs, arguments.processes)
 
 
-def report(benchmark, document):
-    records, crowdnav = {}, {}
+def finished_runs(suite):
+    """Returns the finished runs by robot, and those in CrowdNav's setting by (robot, VISIBLE or INVISIBLE)."""
+    runs, crowdnav = {}, {}
     for robot in (*ROBOTS, *DRIVEN):
-        done = [run for run in (benchmark.run_of(robot, name) for name in SCENARIOS) if run.is_done()]
+        done = [run for run in (suite.run_of(robot, name) for name in suite.scenes) if run.is_done()]
         if done:
-            records[robot] = pandas.concat([read_record(run.folder / RECORD) for run in done])
-        crowdnav.update({(robot, kind): read_record(run.folder / RECORD)
-                         for kind, run in benchmark.crowdnav_runs(robot).items() if run.is_done()})
-    records.update({file.stem: read_record(file) for file in sorted((benchmark.output / 'others').glob('*.csv'))})
-    chapter = chapter_of(records, SCENARIOS, crowdnav)
+            runs[robot] = done
+        crowdnav.update({(robot, kind): run for kind, run in suite.crowdnav_runs(robot).items() if run.is_done()})
+    return runs, crowdnav
+
+
+def report(suite, document):
+    runs, crowdnav = finished_runs(suite)
+    records = {robot: pandas.concat([read_record(run.folder / RECORD) for run in done]) for robot, done in runs.items()}
+    records.update({file.stem: read_record(file) for file in sorted((suite.output / 'others').glob('*.csv'))})
+    chapter = chapter_of(records, suite.scenes,
+                         {key: read_record(run.folder / RECORD) for key, run in crowdnav.items()})
     if not chapter.tables():
-        raise RunError(f'{benchmark.output}: has no results')
+        raise RunError(f'{suite.output}: has no results')
     for table in chapter.tables():
         table.print()
     if document:
         print('\n'.join(fill_document(document, [chapter])))
+    repeatable = [robot for robot in runs if robot in ROBOTS]
+    if repeatable:
+        file = suite.output / RESULTS
+        count, digest = write_results(file, suite, Inputs(suite), repeatable)
+        print(f'\n{file}: {count} rows, SHA-256 {digest}')

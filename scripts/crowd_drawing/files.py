@@ -88,7 +88,10 @@ def is_open(periods, time):
 
 
 def shipped_scenarios():
-    return {file.stem: file for file in sorted((find_config() / 'scenarios').glob('*.yaml'))}
+    """Returns the files of the package's scenarios by their names, also of those in folders of config/scenarios."""
+    folder = find_config() / 'scenarios'
+    files = sorted(folder.glob('*.yaml')) + sorted(folder.glob('*/*.yaml'))
+    return {file.stem: file for file in files}
 
 
 def find_scenario(name_or_file):

@@ -140,7 +140,7 @@ bool evaluateOnRanks(Communicator& communicator, const TrainedTable& trained, co
   const std::uint64_t episodes = plan.episodes > 0 ? plan.episodes : scenarios.size();
   std::vector<double> headings;
   bool goes_on = true;
-  for (std::uint64_t instance = 0; instance < episodes && goes_on; ++instance) {
+  for (std::uint64_t instance = plan.first; instance < plan.first + episodes && goes_on; ++instance) {
     Scene scene;
     std::vector<std::uint64_t> stops = {0};  // ranks
     doOnAllRanks(communicator, [&] {

@@ -13,11 +13,9 @@ constexpr double ALIGNED = toRadians(2.0);  // [rad]
 
 Twist LearnedRobot::command(const World& world, RobotId id, const Vector2& goal) {
   const Robot& robot = world.robots()[id];
-  const Vector2 point = finds_ways_ ? way_.next(world, robot, goal) : goal;
-  perceiver_.perceive(world, learner_->model().vision(), viewers_.inPlaceOf(id, world, point), perceptions_);
-  perceptions_.motion = MotionLimits();  // its drive limits the robot
   actions_.clear();
-  learner_->decideGreedily(perceptions_, decision_workspace_, actions_);
+  learner_->decideGreedily(perceiver_.perceive(world, learner_->model().vision(), id, goal), decision_workspace_,
+                           actions_);
   const RelativeAction& action = actions_.front().action;
   const double bearing = wrapAngle(action.rotation);
   turns_ = robot.start.drive == Drive::DIFFERENTIAL && (turns_ || robot.blocked) && std::abs(bearing) > ALIGNED;

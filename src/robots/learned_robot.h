@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "learning/learner.h"
-#include "robots/robot_way.h"
-#include "world/perceiver.h"
+#include "robots/robot_perceiver.h"
 
 namespace crowd {
 
@@ -22,20 +21,14 @@ class LearnedRobot {
   /// @param finds_ways whether ways lead round walls, as agents do with way-finding; else the robot drives straight to
   /// its goal
   LearnedRobot(const Learner& learner, std::uint64_t episode, bool finds_ways)
-      : learner_(&learner), finds_ways_(finds_ways) {
-    perceptions_.episode = episode;
-  }
+      : learner_(&learner), perceiver_(episode, finds_ways) {}
 
   /// @brief The command of the coming tick; call it once a tick. @param goal [m], `map`
   Twist command(const World& world, RobotId id, const Vector2& goal);
 
  private:
   const Learner* learner_;
-  bool finds_ways_;
-  RobotWay way_;
-  Viewers viewers_;
-  Perceiver perceiver_;
-  Perceptions perceptions_;
+  RobotPerceiver perceiver_;
   DecisionWorkspace decision_workspace_;
   std::vector<AgentAction> actions_;
   bool turns_ = false;  // on the spot, after an impact

@@ -5,7 +5,9 @@
 #include "common/text/quotes.h"
 #include "common/text/suggestions.h"
 #include "robots/learned_robot.h"
+#include "robots/orca_robot.h"
 #include "robots/reactive_rule.h"
+#include "robots/social_force_robot.h"
 #include "robots/steering.h"
 
 namespace crowd {
@@ -33,6 +35,18 @@ class LearnedController : public RobotController {
   LearnedRobot robot_;
 };
 
+/// Follows a method that plans with what it perceives and the floor plan.
+template <typename Method>
+class PlanningController : public RobotController {
+ public:
+  explicit PlanningController(const Episode& episode) : robot_(episode.number(), episode.scene().way_finding) {}
+
+  Twist command(const RobotView& view) override { return robot_.command(view.world, view.id, view.goal); }
+
+ private:
+  Method robot_;
+};
+
 /// Sees what its laser scanner sees, and knows where its goal is.
 class ReactiveController : public RobotController {
  public:
@@ -46,7 +60,7 @@ class ReactiveController : public RobotController {
 }  // namespace
 
 const std::vector<std::string>& robotControllerNames() {
-  static const std::vector<std::string> NAMES = {"none", "straight", "reactive", "learned"};
+  static const std::vector<std::string> NAMES = {"none", "straight", "reactive", "learned", "orca", "social_force"};
   return NAMES;
 }
 
@@ -56,6 +70,8 @@ std::unique_ptr<RobotController> makeRobotController(const std::string& name, co
   if (name == "straight") return std::make_unique<StraightController>();
   if (name == "reactive") return std::make_unique<ReactiveController>();
   if (name == "learned") return std::make_unique<LearnedController>(learner, episode);
+  if (name == "orca") return std::make_unique<PlanningController<OrcaRobot>>(episode);
+  if (name == "social_force") return std::make_unique<PlanningController<SocialForceRobot>>(episode);
   throw InputError("robot controller: expected " + joinAlternatives(robotControllerNames()) + ", got " +
                    inQuotes(name));
 }

@@ -34,7 +34,7 @@ class RobotController {
 
 /// @brief Names of the controllers, for messages and --help: "none" (the robot stands), "straight" (straight to the
 /// goal; it ignores people), "reactive" (by its laser scan alone, see reactiveCommand()), "learned" (as the crowd, see
-/// LearnedRobot).
+/// LearnedRobot), "orca" (OrcaRobot), "social_force" (SocialForceRobot).
 const std::vector<std::string>& robotControllerNames();
 
 /// @brief Makes a controller of a robot of an episode; null for "none". @param learner decides for "learned", and must

@@ -30,6 +30,8 @@
 namespace crowd {
 namespace {
 
+constexpr std::uint64_t MOST_EPISODES = 1'000'000'000;  // for --first
+
 struct Arguments {
   std::string q_table;
   std::string config;
@@ -243,6 +245,10 @@ int runMain(int argc, char** argv) {
   app.add_option("--episodes", arguments.plan.episodes,
                  "number of episodes of each scenario file; default: every document once")
       ->check(atLeast(1));
+  app.add_option("--first", arguments.plan.first,
+                 "number of the first episode; with --episodes 1 any episode is repeated alone")
+      ->check(CLI::Range(std::uint64_t{0}, MOST_EPISODES))
+      ->capture_default_str();
   app.add_option("--seed", arguments.plan.seed, "seed of random placements and random ties")
       ->check(atLeast(0))
       ->capture_default_str();
@@ -262,7 +268,9 @@ int runMain(int argc, char** argv) {
   app.add_option("--robot", arguments.plan.robot_controller,
                  "controller of the robots: none (they stand), straight (to their goals; they ignore people), reactive "
                  "(by their "
-                 "laser scans alone), or learned (by the Q-table, as the crowd)")
+                 "laser scans alone), learned (by the Q-table, as the crowd), orca (by optimal reciprocal collision "
+                 "avoidance), "
+                 "or social_force (by the social force model)")
       ->check(CLI::IsMember(robotControllerNames()))
       ->capture_default_str();
   app.add_flag("--people-delay", arguments.plan.people_delay,

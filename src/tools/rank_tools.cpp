@@ -20,6 +20,7 @@ void requireSameRun(Communicator& ranks, const TrainedTable& trained, const std:
                                 {"list of scenarios", scenarios},
                                 {"seed", std::to_string(plan.seed)},
                                 {"number of episodes", std::to_string(plan.episodes)},
+                                {"first episode", std::to_string(plan.first)},
                                 {"use of --trajectories", plan.record ? "yes" : "no"},
                                 {"use of --states", plan.states ? "yes" : "no"},
                                 {"controller of the robots", plan.robot_controller},

@@ -21,7 +21,7 @@ class RecordRobotsTest(RobotLaunchTestCase):
             return reader.fieldnames, list(reader)
 
     def test_columns_are_those_of_evaluate_and_values_those_of_the_messages(self):
-        scenario = support.in_package('config', 'scenarios', 'robot_crossing.yaml')
+        scenario = support.in_package('config', 'scenarios', 'robots', 'robot_crossing.yaml')
         results = self.listen('episode_results', EpisodeResult)
         launched = self.drive('robot.launch', scenario=scenario, real_time_factor='fast', episodes=EPISODES, seed=4,
                               robots_csv=self.path('ros.csv'))

@@ -7,6 +7,7 @@
 
 #include "common/files/files.h"
 #include "common/text/quotes.h"
+#include "scenario/reading/scenario_files.h"
 #include "scenario/reading/scenario_reader.h"
 #include "social_crowd/errors.h"
 #include "support/error_of.h"
@@ -60,9 +61,8 @@ int checkAllWords(const std::string& text, const std::string& name) {
 TEST(HiddenScenarios, NoWordIsInAnError) { EXPECT_GT(checkAllWords(NAMES, "names.yaml"), 150); }
 
 TEST(HiddenScenarios, NoWordOfShippedScenariosIsInAnError) {
-  const std::string folder = std::string(SOURCE_DIR) + "/config/scenarios/";
   for (const char* const name : {"twins_a", "line6_mover", "circle12_varied", "robot_door", "corridor_two_way"}) {
-    const std::string file = folder + name + ".yaml";
+    const std::string file = findScenario(name);
     EXPECT_GT(checkAllWords(readFile(file), file), 20) << name;
   }
 }

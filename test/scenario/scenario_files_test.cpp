@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "social_crowd/errors.h"
@@ -18,6 +19,26 @@ TEST(ScenarioFiles, ShippedScenariosAreInTheSourceTreeBeforeInstallation) { EXPE
 TEST(ScenarioFiles, FindsShippedScenariosByName) {
   EXPECT_EQ(findScenario("circle6"), SHIPPED + "/circle6.yaml");
   EXPECT_EQ(findScenario("circle6.yaml"), SHIPPED + "/circle6.yaml");
+}
+
+TEST(ScenarioFiles, FindsNamesInFoldersOfTheFolder) {
+  EXPECT_EQ(findScenario("robot_hall"), SHIPPED + "/robots/robot_hall.yaml");
+  const std::vector<std::string> names = scenarioNames();
+  for (const char* const name : {"circle6", "robot_hall"}) {
+    EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+  }
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.file("b/c"));
+  std::filesystem::create_directory(folder.file("a"));
+  folder.write("b/c/deep.yaml", "");
+  const std::string second = folder.write("b/mine.yaml", "");
+  EXPECT_EQ(findScenario("mine", "", folder.path()), second);
+  const std::string first = folder.write("a/mine.yaml", "");
+  EXPECT_EQ(findScenario("mine", "", folder.path()), first);
+  const std::string own = folder.write("mine.yaml", "");
+  EXPECT_EQ(findScenario("mine", "", folder.path()), own);
+  EXPECT_EQ(scenarioNames(folder.path()), std::vector<std::string>{"mine"});
+  EXPECT_THROW(findScenario("deep", "", folder.path()), InputError);
 }
 
 TEST(ScenarioFiles, PrefersAFileToAName) {

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> scenarioFiles(const fs::path& folder) {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() == ".yaml") {
       files.push_back(entry.path());
     }

@@ -1,16 +1,25 @@
-"""research/robot_benchmark: measures, tables, and the command line."""
+"""research/robot_benchmark: measures, tables, the results file and its verification, and the command line."""
+import csv
+import json
 import math
 import os
 import pathlib
+import re
+import shutil
 import subprocess
 
 import numpy
 import pytest
+from crowd_drawing.errors import read_documents
 from crowd_experiments.runs import RunError
-from crowd_robot_benchmark.measures import (CROWDNAV_ORCA, INVISIBLE, VISIBLE, Summary, chapter_of, interval,
-                                            number_text, read_record, rows_of)
+from crowd_experiments.tools import find_config
+from crowd_robot_benchmark.identity import Inputs, scene_digest
+from crowd_robot_benchmark.measures import (CROWDNAV_ORCA, Summary, chapter_of, interval, number_text, read_record,
+                                            rows_of)
+from crowd_robot_benchmark.suite import INVISIBLE, ROBOTS, VISIBLE, Suite, changed_scene, scene_files
+from crowd_robot_benchmark.verify import spread
 from crowd_robots.driving import launch_arguments
-from programs import assert_says, in_package, read_text, tools_folder, wait_for
+from programs import ANTICIPATION_TABLE, assert_says, in_package, read_text, tools_folder, wait_for
 
 COLUMNS = ('episode,scenario,robot,success,time_to_reach_goal,robot_on_person_collisions,person_on_robot_collisions,'
            'mutual_collisions,personal_space_time,people_compared,people_delay,people_detour\n')
@@ -86,14 +95,21 @@ class TablesTest:
                                                {('tug', VISIBLE): record}).tables()
         assert summary.rows == [['tug', '2 x 1-3', '3 (30-95 %)', '2 (15-85 %)', '1, 1, 1', '14.7', '3.0', '0.50',
                                  '1.00']]
-        assert [row[:3] for row in single.rows] == [['robot_door', 'tug', '2 (21-94 %)'],
-                                                    ['robot_queue', 'tug', '1 (21-100 %)']]
-        assert single.rows[1][4:] == ['0, 0, 0', '14.0', '0.0', '-', '-']
+        assert single.header == ['scene', 'people per m²', 'tug']
+        assert single.rows == [['robot_door', '-', '2 / 1'], ['robot_queue', '-', '1 / 1']]
         # CrowdNav's success is without a contact, and so is the mean time.
         assert [row[:2] for row in crowdnav.rows] == [['robot visible', 'ORCA, published'], ['robot visible', 'tug'],
                                                       ['robot invisible', 'ORCA, published']]
         assert crowdnav.rows[1][2:] == ['4', '2 (15-85 %)', '2 (15-85 %)', '0', '12.00']
         assert crowdnav.rows[2][3].startswith('213 (38-47 %)')
+
+    def test_scenes_of_several_robots(self, tmp_path):
+        """The density is the mean over all episodes of the scene; a robot that was not there has a dash."""
+        record = read_record(record_file(tmp_path))
+        dense = record.assign(people_density=[0.1, 0.2, 0.3, 0.5])
+        rows = chapter_of({'tug': dense, 'cart': rows_of(dense, 'robot_door')}, ('robot_door', 'robot_queue'),
+                          {}).tables()[1].rows
+        assert rows == [['robot_door', '0.20', '2 / 1', '2 / 1'], ['robot_queue', '0.50', '1 / 1', '-']]
 
     @pytest.mark.parametrize('value, text', [(1.234, '1.23'), (-0.004, '0.00'), (-0.006, '-0.01'), (math.nan, '-')])
     def test_numbers(self, value, text):
@@ -102,6 +118,96 @@ class TablesTest:
     def test_published_episodes_add_up(self):
         for clean, touched, _ in (CROWDNAV_ORCA[VISIBLE], CROWDNAV_ORCA[INVISIBLE]):
             assert clean + touched <= 500
+
+
+SCENES = scene_files(find_config())
+
+
+class ScenesTest:
+    """config/scenarios/robots."""
+
+    def test_there_are_enough(self):
+        assert len(SCENES) >= 40
+
+    @pytest.mark.parametrize('name', SCENES)
+    def test_pages(self, name):
+        """Each has a row on the page, and says what happens."""
+        assert_says(read_text(in_package('docs', 'robot_scenes.md')), f'| `{name}` |')
+        assert SCENES[name].read_text(encoding='utf-8').startswith('# ')
+
+    def test_pages_of_scenes_that_are_there(self):
+        rows = re.findall(r'^\| `(robot_\w+)` \|', read_text(in_package('docs', 'robot_scenes.md')), re.MULTILINE)
+        assert sorted(rows) == sorted(SCENES)
+
+    def test_one_robot_each(self):
+        for name, file in SCENES.items():
+            document, = read_documents(file)
+            assert (document['name'], document['ends'], len(document['robots'])) == (name, 'robots', 1)
+
+    def test_people_go_on(self, runner):
+        """In each scene but CrowdNav's, there are people on their way when the robot could have arrived."""
+        record = runner.path('record.csv')
+        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--episodes', '1', '--record', record, *SCENES.values())
+        ends = {}
+        for row in rows_of_csv(record):
+            left = row['arrived'] == '0' and row['ticks'] != '0'
+            ends[row['scenario']] = ends.get(row['scenario'], 0) + left
+        recorded = {name for name, file in SCENES.items() if 'recorded:' in file.read_text(encoding='utf-8')}
+        assert {name for name in SCENES if not ends.get(name)} - recorded == {'robot_circle_5'}
+
+
+def rows_of_csv(file):
+    """Returns the rows of a CSV file as texts by column."""
+    with open(file, newline='', encoding='utf-8') as stream:
+        return list(csv.DictReader(stream))
+
+
+class IdentityTest:
+    """A hash changes with all that determines a row."""
+
+    def suite(self, folder, name='robot_station'):
+        """Returns a Suite with copies of the package's scene and of the files that it names."""
+        shutil.copytree(in_package('config'), folder / 'config')
+        q_table = folder / 'config' / 'q_tables' / 'anticipation.txt'
+        file = folder / 'config' / 'scenarios' / 'robots' / f'{name}.yaml'
+        return Suite(folder / 'evaluate', q_table, {name: file}, folder / 'results')
+
+    @pytest.mark.parametrize('scene, files', [
+        ('robot_station', ['scenarios/robots/robot_station.yaml', 'maps/station.yaml', 'maps/station.png', 'kinds.yaml',
+                           'q_tables/anticipation.txt']),
+        ('robot_street', ['scenarios/robots/robot_street.yaml', 'recordings/street.csv', 'kinds.yaml'])])
+    def test_files(self, tmp_path, scene, files):
+        suite = self.suite(tmp_path, scene)
+        first = Inputs(suite).identity('learned', ROBOTS['learned'], scene, 1, 0).hash
+        hashes = {first}
+        for name in files:
+            with open(tmp_path / 'config' / name, 'ab') as stream:
+                stream.write(b'\n')
+            hashes.add(Inputs(suite).identity('learned', ROBOTS['learned'], scene, 1, 0).hash)
+        assert len(hashes) == len(files) + 1
+
+    def test_settings(self, tmp_path):
+        inputs = Inputs(self.suite(tmp_path))
+        settings = [('learned', 1, 0), ('learned_stop', 1, 0), ('orca', 1, 0), ('learned', 2, 0), ('learned', 1, 1)]
+        found = [inputs.identity(name, ROBOTS[name], 'robot_station', seed, episode) for name, seed, episode in settings]
+        assert len({identity.hash for identity in found}) == len(settings)
+        for field in ('package', 'program'):
+            assert found[0]._replace(**{field: '0'}).computed_hash() != found[0].hash
+        # The name in tables determines nothing.
+        assert found[0]._replace(baseline='other').computed_hash() == found[0].hash
+
+    def test_folders_do_not_matter(self, tmp_path):
+        suite = self.suite(tmp_path)
+        assert scene_digest(suite.scenes['robot_station']) == scene_digest(SCENES['robot_station'])
+
+    @pytest.mark.parametrize('scene', ['robot_station', 'robot_street', 'robot_kinds'])
+    def test_changed_scenes(self, tmp_path, scene):
+        """A copy with other keys of the robots names the same files."""
+        copy = changed_scene(SCENES[scene], {'yields': 'both'}, tmp_path / 'robots' / f'{scene}.yaml')
+        assert 'yields: both' in copy.read_text(encoding='utf-8')
+        document, = read_documents(copy)
+        named = [document.get('map'), *(entry['file'] for entry in document.get('recorded') or [])]
+        assert all(os.path.isabs(file) and os.path.exists(file) for file in named if file)
 
 
 class RobotBenchmarkTest:
@@ -114,16 +220,16 @@ class RobotBenchmarkTest:
 
     def test_a_controller_and_a_robot_from_elsewhere(self, runner):
         document = runner.write('page.md', '<!-- table robots/summary -->\n<!-- end -->\n'
-                                           '<!-- table robots/scenarios -->\n<!-- end -->\n'
+                                           '<!-- table robots/scenes -->\n<!-- end -->\n'
                                            '<!-- table robots/crowdnav -->\n<!-- end -->\n')
         runner.write('tug.csv', COLUMNS + ROWS)
-        first = self.benchmark(runner, '--robot', 'straight', '--robot', 'tug=' + runner.path('tug.csv'), '--scenarios',
-                               'robot_crossing', '--placements', '2', '--crowdnav-episodes', '3', '--document',
+        first = self.benchmark(runner, '--robot', 'straight', '--robot', 'tug=' + runner.path('tug.csv'), '--scenes',
+                               'robot_crossing', '--episodes', '2', '--crowdnav-episodes', '3', '--document',
                                document)
         assert first.wait() == 0, first.output()
         page = read_text(document)
-        assert_says(page, '| straight | 1 x 2 |', '| tug | 2 x 1-3 | 3 (30-95 %)', '| robot_crossing | straight | 2 (',
-                    '| robot_door | tug |', '| robot visible | ORCA, published | 500 | 500 (99-100 %) |',
+        assert_says(page, '| straight | 1 x 2 |', '| tug | 2 x 1-3 | 3 (30-95 %)', '| robot_crossing | ', '| robot_door | - | - | 2 / 1 |',
+                    '| robot visible | ORCA, published | 500 | 500 (99-100 %) |',
                     '| robot invisible | straight | 3 | ')
         record = read_record(runner.path('results/runs/straight/crowdnav_visible/robots.csv'))
         assert numpy.count_nonzero(record['people_compared']) == 3
@@ -133,29 +239,89 @@ class RobotBenchmarkTest:
                          unseen['person_on_robot_collisions']) > 0
         assert not numpy.array_equal(unseen['minimum_clearance'], record['minimum_clearance'])
         assert 'perceived: false' in read_text(runner.path('results/scenarios/perceived_false/robot_circle_5.yaml'))
-        again = self.benchmark(runner, '--table', '--placements', '2', '--crowdnav-episodes', '3')
+        again = self.benchmark(runner, '--table', '--episodes', '2', '--crowdnav-episodes', '3')
         assert again.wait() == 0, again.output()
         assert_says(again.output(), 'tug', 'straight')
-        kept = self.benchmark(runner, '--robot', 'straight', '--scenarios', 'robot_crossing', '--placements', '2',
+        kept = self.benchmark(runner, '--robot', 'straight', '--scenes', 'robot_crossing', '--episodes', '2',
                               '--crowdnav-episodes', '3')
         assert kept.wait() == 0, kept.output()
         assert_says(kept.output(), '3 runs, 3 of them done before')
 
+    def test_results_are_verified(self, runner):
+        """One and two threads, and scalar code, give the same file; a changed digit is found."""
+        words = ('--robot', 'learned_stop', '--robot', 'orca', '--scenes', 'robot_frontal', 'robot_station', '--episodes', '2',
+                 '--crowdnav-episodes', '0')
+        done = self.benchmark(runner, *words)
+        assert done.wait() == 0, done.output()
+        results = runner.path('results/results.csv')
+        text = read_text(results)
+        assert len(text.splitlines()) == 1 + 2 * 2 * 2
+        other = runner.start('robot_benchmark', [in_package('research', 'robot_benchmark'), *words, '--tools',
+                                                 tools_folder(), '--output', runner.path('other'), '--threads', '2'],
+                             {'SOCIAL_CROWD_SIMD': 'reference'})
+        assert other.wait() == 0, other.output()
+        assert read_text(runner.path('other/results.csv')) == text
+        assert_says(other.output(), done.output().split('SHA-256 ')[1].split()[0])
+        same = self.verify(runner, results, '--rows', 'all')
+        assert same.wait() == 0, same.output()
+        assert_says(same.output(), '8 rows repeated: the results of 8 are the same, bit for bit; 8 were made with')
+        rows = rows_of_csv(results)
+        changed = rows[-1]['path_length']
+        digit = changed[:-1] + str((int(changed[-1]) + 1) % 10)
+        wrong = runner.write('wrong.csv', digit.join(text.rsplit(changed, 1)))
+        found = self.verify(runner, wrong, '--rows', 'all')
+        assert found.wait() == 1, found.output()
+        assert_says(found.output(), f'wrong.csv:9: orca in robot_station, episode 1: path_length is {digit} in the file, '
+                    f'{changed} here', 'the results of 7 are the same')
+
+    def verify(self, runner, file, *words):
+        return runner.start('verify', [in_package('research', 'robot_benchmark'), 'verify', file, '--tools',
+                                       tools_folder(), *words])
+
+    def test_rows_of_other_inputs(self, runner):
+        """They are named, and repeated all the same."""
+        done = self.benchmark(runner, '--robot', 'straight', '--scenes', 'robot_frontal', '--episodes', '1',
+                              '--crowdnav-episodes', '0')
+        assert done.wait() == 0, done.output()
+        header, line = read_text(runner.path('results/results.csv')).splitlines()
+        row = dict(zip(header.split(','), next(csv.reader([line]))))
+        other = runner.write('other.csv', f"{header}\n{line.replace(row['program'], '0' * 16)}\n")
+        found = self.verify(runner, other)
+        assert found.wait() == 1, found.output()
+        assert_says(found.output(), f"its hash is {row['hash']}, but what it names has the hash ",
+                    f"program is {'0' * 16} in the file, {row['program']} here", 'the results of 1 are the same')
+        assert json.loads(row['keys']) == {}
+
+    @pytest.mark.parametrize('text, said', [
+        ('episode,scenario\n', 'expected results of robot_benchmark, with the columns hash,package,'),
+        ('hash,package,program,q_table,scene,baseline,controller,keys,seed,episode,scenario,robot\n', 'has no rows'),
+        ('hash,package,program,q_table,scene,baseline,controller,keys,seed,episode,scenario,robot\na,b\n',
+         'file.csv:2: expected 12 values, got 2')])
+    def test_files_that_cannot_be_verified(self, runner, text, said):
+        refused = self.verify(runner, runner.write('file.csv', text))
+        assert refused.wait() == 1, refused.output()
+        assert_says(refused.output(), said)
+
+    def test_rows_are_spread(self):
+        assert spread(list(range(10)), 2) == [2, 7]
+        assert spread(list(range(10)), 'all') == spread(list(range(10)), 11) == list(range(10))
+        assert len(set(spread(list(range(97)), 20))) == 20
+
     def test_a_robot_with_protective_stop(self, runner):
         """Keys of the robots change; a map is found from the copy of the scenario, too."""
-        done = self.benchmark(runner, '--robot', 'straight_stop', '--scenarios', 'robot_station', '--placements', '1',
+        done = self.benchmark(runner, '--robot', 'learned_stop', '--scenes', 'robot_station', '--episodes', '1',
                               '--crowdnav-episodes', '2')
         assert done.wait() == 0, done.output()
         assert 'yields: both' in read_text(runner.path('results/scenarios/yields_both/robot_station.yaml'))
-        assert len(read_record(runner.path('results/runs/straight_stop/robot_station/robots.csv'))['success']) == 1
-        assert not os.path.exists(runner.path('results/runs/straight_stop/crowdnav_invisible'))
+        assert len(read_record(runner.path('results/runs/learned_stop/robot_station/robots.csv'))['success']) == 1
+        assert not os.path.exists(runner.path('results/runs/learned_stop/crowdnav_invisible'))
 
     @pytest.mark.parametrize('words, said', [
         (['--robot', 'move_bus'],
-         'expected straight, reactive, learned, straight_stop, learned_stop, move_base, move_base_people, or NAME='),
+         'expected straight, reactive, orca, social_force, learned, learned_stop, move_base, move_base_people, or NAME='),
         (['--robot', 'straight=file.csv'], 'NAME=FILE.csv with another name'),
-        (['--scenarios', 'robot_dor'], "invalid choice: 'robot_dor'"),
-        (['--placements', '0'], 'expected a whole number from 1'),
+        (['--scenes', 'robot_dor'], "invalid choice: 'robot_dor'"),
+        (['--episodes', '0'], 'expected a whole number from 1'),
     ])
     def test_wrong_usage(self, runner, words, said):
         refused = self.benchmark(runner, *words)
@@ -174,7 +340,7 @@ class RobotBenchmarkTest:
         assert_says(refused.output(), said)
 
     def test_interrupted(self, runner):
-        running = self.benchmark(runner, '--robot', 'reactive', '--scenarios', 'robot_station', '--crowdnav-episodes',
+        running = self.benchmark(runner, '--robot', 'reactive', '--scenes', 'robot_station', '--crowdnav-episodes',
                                  '0')
         log = runner.path('results/runs/reactive/robot_station/log.txt')
         wait_for(lambda: os.path.exists(log) and 'evaluate' in read_text(log), 'the first run')
@@ -201,7 +367,7 @@ class DriveRobotsTest:
     @pytest.mark.skipif(not has_move_base(), reason='move_base is not in the environment')
     def test_records_through_ros(self, runner):
         """Holonomic robots, ticks of 0.25 s and no map."""
-        driven = self.drive(runner, in_package('config', 'scenarios', 'robot_circle_5.yaml'), '--episodes', '2')
+        driven = self.drive(runner, in_package('config', 'scenarios', 'robots', 'robot_circle_5.yaml'), '--episodes', '2')
         assert driven.wait() == 0, driven.output()
         record = read_record(runner.path('robots.csv'))
         assert list(record['episode']) == [0, 1]
@@ -209,7 +375,7 @@ class DriveRobotsTest:
         assert (record['commands_taken'] > 20).all()
 
     def test_without_move_base(self, runner):
-        refused = self.drive(runner, in_package('config', 'scenarios', 'robot_hall.yaml'),
+        refused = self.drive(runner, in_package('config', 'scenarios', 'robots', 'robot_hall.yaml'),
                              environment={'ROS_PACKAGE_PATH': runner.path('')})
         assert refused.wait() == 1, refused.output()
         assert_says(refused.output(), 'drive_robots: move_base is not in the ROS environment')
@@ -223,7 +389,7 @@ class DriveRobotsTest:
             os.chmod(runner.write(f'programs/{name}', '#!/bin/sh\n' + text), 0o755)
         runner.write('robots.csv', 'earlier')
         runner.write('rows.csv', COLUMNS + ROWS)
-        return self.drive(runner, in_package('config', 'scenarios', 'robot_hall.yaml'), '--episodes', '4',
+        return self.drive(runner, in_package('config', 'scenarios', 'robots', 'robot_hall.yaml'), '--episodes', '4',
                           environment={'PATH': runner.path('programs') + ':' + os.environ['PATH']})
 
     def test_a_complete_record_replaces_the_earlier_one(self, runner):

@@ -49,6 +49,19 @@ TEST(Evaluation, PlaysEachScenarioOnceByDefault) {
   EXPECT_EQ(evaluateAll(planOf(0, 7)).size(), 3U);  // more threads than work
 }
 
+TEST(Evaluation, AnyEpisodeIsRepeatedAlone) {
+  const std::vector<EvaluatedEpisode> all = evaluateAll(planOf(9, 2));
+  for (const std::uint64_t first : {0U, 4U, 8U}) {
+    for (const unsigned threads : {1U, 3U}) {
+      EvaluationPlan plan = planOf(9 - first, threads);
+      plan.first = first;
+      const std::vector<EvaluatedEpisode> some = evaluateAll(plan);
+      ASSERT_EQ(some.size(), 9 - first);
+      for (std::size_t i = 0; i < some.size(); ++i) expectSame(some[i], all[first + i]);
+    }
+  }
+}
+
 TEST(Evaluation, DrawnPlacesDependOnTheSeed) {
   const std::vector<EvaluatedEpisode> one = evaluateAll(planOf(1, 1, 1));
   const std::vector<EvaluatedEpisode> other = evaluateAll(planOf(1, 1, 2));

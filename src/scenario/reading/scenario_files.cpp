@@ -38,14 +38,47 @@ fs::path installedScenarios() {
   return {};
 }
 
+/// The names of the scenario files of a folder, without those of its folders, sorted.
+std::vector<std::string> namesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
+    if (entry.path().extension() == SCENARIO_EXTENSION) names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// A folder and the folders in it, sorted.
+std::vector<fs::path> withFolders(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  std::error_code problem;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
+    if (isFolder(entry.path())) folders.push_back(entry.path());
+  }
+  std::sort(folders.begin(), folders.end());
+  folders.insert(folders.begin(), folder);
+  return folders;
+}
+
+/// The file of a name in a folder, or in one of its folders; empty if there is none.
+fs::path fileNamed(const std::string& name, const fs::path& folder) {
+  for (const fs::path& one : withFolders(folder)) {
+    const fs::path file = one / (name + SCENARIO_EXTENSION);
+    if (isFile(file)) return file;
+  }
+  return {};
+}
+
 /// How a scenario of that name can be given: as a bare name is, or as a file in the same folder as another path.
 std::string asGiven(const std::string& name, const fs::path& path, bool is_bare) {
   return is_bare ? name : (path.parent_path() / (name + SCENARIO_EXTENSION)).string();
 }
 
 [[noreturn]] void throwNoScenario(const fs::path& path, const fs::path& file, const fs::path& folder, bool is_bare) {
-  const fs::path searched = is_bare ? folder : fs::absolute(file).lexically_normal().parent_path();
-  std::vector<std::string> names = sortedByNearness(path.stem().string(), scenarioNames(searched.string()));
+  const fs::path searched = fs::absolute(file).lexically_normal().parent_path();
+  std::vector<std::string> names =
+      sortedByNearness(path.stem().string(), is_bare ? scenarioNames(folder.string()) : namesIn(searched));
   const std::string nearest = nearestName(path.stem().string(), names);
   const std::string hint = nearest.empty() ? "" : ", did you mean '" + asGiven(nearest, path, is_bare) + "'?";
   for (std::string& name : names) name = asGiven(name, path, is_bare);
@@ -65,11 +98,12 @@ std::string shippedScenarios() {
 
 std::vector<std::string> scenarioNames(const std::string& folder) {
   std::vector<std::string> names;
-  std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.path().extension() == SCENARIO_EXTENSION) names.push_back(entry.path().stem().string());
+  for (const fs::path& one : withFolders(folder)) {
+    const std::vector<std::string> found = namesIn(one);
+    names.insert(names.end(), found.begin(), found.end());
   }
   std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 
@@ -80,8 +114,8 @@ std::string findScenario(const std::string& name_or_file, const std::string& bas
   const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == SCENARIO_EXTENSION);
   const bool is_plainly_a_folder = !is_bare && isFolder(file);  // reported when it is read
   if (isFile(file) || is_plainly_a_folder) return file.lexically_normal().string();
-  const fs::path named = fs::path(folder) / (path.stem().string() + SCENARIO_EXTENSION);
-  if (is_bare && isFile(named)) return named.string();
+  const fs::path named = is_bare ? fileNamed(path.stem().string(), folder) : fs::path();
+  if (!named.empty()) return named.string();
   throwNoScenario(path, file, folder, is_bare);
 }
 

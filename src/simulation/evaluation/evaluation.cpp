@@ -16,12 +16,12 @@ namespace {
 class OrderedRun {
  public:
   OrderedRun(std::uint64_t episodes, const EvaluationPlan& plan, const std::function<bool(EvaluatedEpisode&)>& deliver)
-      : episodes_(episodes), plan_(plan), deliver_(deliver) {}
+      : end_(plan.first + episodes), plan_(plan), deliver_(deliver), handed_out_(plan.first), delivered_(plan.first) {}
 
   /// Returns the next instance to run in `instance`; false if none is left.
   bool next(std::uint64_t& instance) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (stopped_ || handed_out_ >= episodes_ || plan_.stop.isMade()) return false;
+    if (stopped_ || handed_out_ >= end_ || plan_.stop.isMade()) return false;
     instance = handed_out_++;
     return true;
   }
@@ -52,16 +52,16 @@ class OrderedRun {
   /// Whether all results were delivered and wanted. @throws what fail() was given
   bool isComplete() const {
     if (problem_ != nullptr) std::rethrow_exception(problem_);
-    return !stopped_ && delivered_ == episodes_;
+    return !stopped_ && delivered_ == end_;
   }
 
  private:
-  std::uint64_t episodes_;
+  std::uint64_t end_;  // number behind the last one
   const EvaluationPlan& plan_;
   const std::function<bool(EvaluatedEpisode&)>& deliver_;
   std::mutex mutex_;
-  std::uint64_t handed_out_ = 0;
-  std::uint64_t delivered_ = 0;
+  std::uint64_t handed_out_;
+  std::uint64_t delivered_;
   std::map<std::uint64_t, EvaluatedEpisode> waiting_;
   bool stopped_ = false;
   std::exception_ptr problem_;

@@ -16,6 +16,7 @@ namespace crowd {
 /// @brief Settings of an evaluation.
 struct EvaluationPlan {
   std::uint64_t episodes = 0;  ///< 0: each document of the scenario file once
+  std::uint64_t first = 0;     ///< number of the first episode, so that any one can be repeated alone
   std::uint64_t seed = 1;      ///< for random placements and random tie-breaking
   unsigned threads = 1;        ///< results do not depend on it
   bool record = false;         ///< whether to write trajectories

@@ -1,5 +1,6 @@
 #include "simulation/evaluation/instance_walk.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -11,6 +12,13 @@
 namespace crowd {
 namespace {
 
+/// Whether people follow a robot, and so have nowhere to go without it.
+bool haveFollowers(const Scene& scene) {
+  return std::any_of(scene.agents.begin(), scene.agents.end(), [](const AgentStart& agent) {
+    return agent.leader && agent.leader->kind == Leader::Kind::ROBOT;
+  });
+}
+
 /// The scene without robots.
 Scene withoutRobots(Scene scene) {
   scene.robots.clear();
@@ -21,7 +29,7 @@ Scene withoutRobots(Scene scene) {
 
 EvaluatedEpisode InstanceWalk::run(Scene scene, std::uint64_t instance) const {
   std::optional<Scene> alone;
-  if (plan.people_delay && !scene.robots.empty()) {
+  if (plan.people_delay && !scene.robots.empty() && !haveFollowers(scene)) {
     scene.ends = Ends::ALL;
     alone = withoutRobots(scene);
   }

@@ -1,0 +1,133 @@
+"""`robot_benchmark verify FILE`: repeats rows of a results file, and compares them bit for bit."""
+import concurrent.futures
+import json
+import pathlib
+import tempfile
+
+from crowd_experiments.arguments import add_file, add_tools, number_type, parser_of, positive
+from crowd_experiments.runs import ProgressBar, RunError, output_of
+from crowd_experiments.tools import find_config, find_evaluation
+
+from .identity import Inputs
+from .results import read_results, record_rows
+from .suite import RECORD, Baseline, Suite, scene_files
+
+ROWS = 20
+ALL = 'all'
+EPILOG = '''examples:
+  research/robot_benchmark verify results/robots/results.csv
+  research/robot_benchmark verify results/robots/results.csv --rows all --processes 2
+
+Each of the rows is compared with what its hash says of it, then its episode is walked again with the scenario, the Q-table and
+the program that are here, and each number has to be the same text. A row whose program, scenario or Q-table differs from
+those here is named; its episode is repeated all the same, as its results may be the same.'''
+
+rows_type = number_type(lambda text: text if text == ALL else int(text), lambda rows: rows == ALL or rows >= 1,
+                        "a whole number from 1, or 'all'")
+
+
+def spread(rows, count):
+    """Returns this many of the rows, spread evenly from the first to the last one."""
+    if count == ALL or count >= len(rows):
+        return rows
+    return [rows[(2 * i + 1) * len(rows) // (2 * count)] for i in range(count)]
+
+
+def problems_of_identity(row, inputs):
+    """Yields what differs between a row and what is here."""
+    identity = row.identity
+    if identity.computed_hash() != identity.hash:
+        yield f'its hash is {identity.hash}, but what it names has the hash {identity.computed_hash()}'
+    if identity.scenario not in inputs.scenes:
+        yield 'there is no such scene here'
+        return
+    here = inputs.identity('', Baseline('', {}), identity.scenario, 0, 0)
+    for name in ('package', 'program', 'q_table', 'scene'):
+        if getattr(here, name) != getattr(identity, name):
+            yield f'{name} is {getattr(identity, name)} in the file, {getattr(here, name)} here'
+
+
+def repeat(suite, row):
+    """Walks the episode of a row again. Returns the columns and the texts of its record. Raises RunError."""
+    identity = row.identity
+    try:
+        keys = json.loads(identity.keys)
+        command = suite.command(identity.controller, keys, identity.scenario, 1, int(identity.episode),
+                                int(identity.seed))
+    except (AttributeError, ValueError) as error:
+        raise RunError(f'{row.place()}: expected keys as JSON, and whole numbers as seed and episode: {error}') from None
+    with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
+        output_of(command, cwd=folder)
+        columns, rows = record_rows(pathlib.Path(folder) / RECORD)
+    return columns, rows[identity.episode]
+
+
+def problems_of_values(columns, row, here, repeated):
+    """Yields the columns in which a row and its repetition differ."""
+    if here != columns:
+        yield (f'the record has other columns here: {", ".join(sorted(set(columns) ^ set(here)))}'
+               if set(here) != set(columns) else 'the columns of the record have another order here')
+        return
+    for name, old, new in zip(columns, row.values, repeated):
+        if old != new:
+            yield f'{name} is {old} in the file, {new} here'
+
+
+def check(suite, inputs, columns, row):
+    """Returns the problems of a row, and whether its results are the same."""
+    problems = list(problems_of_identity(row, inputs))
+    if row.identity.scenario not in suite.scenes:
+        return problems, False
+    here, repeated = repeat(suite, row)
+    differences = list(problems_of_values(columns, row, here, repeated))
+    return problems + differences, not differences
+
+
+def main(words):
+    parser = parser_of('robot_benchmark verify', 'Repeats rows of a results file of robot_benchmark, and compares them bit '
+                       'for bit.', EPILOG, '0 all rows are the same, 1 some are not, or an error, 2 wrong usage, 130 '
+                       'interrupted.')
+    add_file(parser, 'results', metavar='FILE.csv')
+    parser.add_argument('--rows', type=rows_type, default=ROWS, metavar='N',
+                        help='number of rows, spread over the file, or all (default: %(default)s)')
+    parser.add_argument('--processes', type=positive, default=1, metavar='N',
+                        help='number of parallel runs (default: %(default)s)')
+    add_file(parser, '--q-table', help='Q-table of people and of the learned robot (default: anticipation)')
+    add_tools(parser, 'evaluate')
+    arguments = parser.parse_args(words)
+    columns, rows = read_results(arguments.results)
+    evaluate, q_table = find_evaluation(arguments)
+    chosen = spread(rows, arguments.rows)
+    with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
+        suite = Suite(evaluate, q_table, scene_files(find_config()), pathlib.Path(folder))
+        return report(arguments.results, chosen, repeat_all(suite, columns, chosen, arguments.processes))
+
+
+def repeat_all(suite, columns, rows, processes):
+    """Returns the problems of each row, and whether its results are the same."""
+    inputs = Inputs(suite)
+    bar = ProgressBar(len(rows), len(rows), 'rows')
+    with concurrent.futures.ThreadPoolExecutor(processes) as pool:
+        futures = [pool.submit(check, suite, inputs, columns, row) for row in rows]
+        try:
+            for future in concurrent.futures.as_completed(futures):
+                future.result()
+                bar.add(1)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+        finally:
+            bar.end()
+    return [future.result() for future in futures]
+
+
+def report(file, rows, outcomes):
+    """Prints the problems. Returns the exit status."""
+    for row, (problems, _) in zip(rows, outcomes):
+        for problem in problems:
+            print(f'{file}:{row.line}: {row.place()}: {problem}')
+    same = sum(is_same for _, is_same in outcomes)
+    sound = sum(not problems for problems, _ in outcomes)
+    print(f'{file}: {len(rows)} rows repeated: the results of {same} are the same, bit for bit; {sound} were made with what is '
+          'here')
+    return 0 if sound == len(rows) else 1
