@@ -9,9 +9,9 @@ from social_crowd.observations import Observation
 
 def scenario_list(given):
     """Returns a list of Scenarios. given: one scenario, or a list of them, see as_scenario(); dicts are one scenario"""
-    if isinstance(given, (list, tuple)) and not all(isinstance(document, dict) for document in given):
-        return [as_scenario(one) for one in given]
-    return [as_scenario(given)]
+    if not isinstance(given, (list, tuple)) or given and all(isinstance(document, dict) for document in given):
+        return [as_scenario(given)]
+    return [as_scenario(one) for one in given]
 
 
 class LocalRobots:

@@ -119,7 +119,7 @@ class CrowdTest:
     def test_robots(self):
         crowd = social_crowd.Crowd('robot_circle_5', seed=2)
         robot, = crowd.robots
-        assert (robot['name'], robot['goal'], robot['arrived']) == ('robot', (0.0, 7.0), False)
+        assert (robot['name'], robot['goal'], robot['arrived']) == ('robot', (0.0, 4.0), False)
         crowd.command_robot(0, 1.0)
         crowd.step()
         assert crowd.robots[0]['pose'][1] > robot['pose'][1]
