@@ -27,13 +27,14 @@ SCENARIO = {
 }
 HELD_OUT_SEED = 1000
 PEOPLE = 8  # that the policy looks at
+TICKS = 2  # of 0.1 s, that an action holds
 FEATURES, HIDDEN = 7, 8
 
 
 def reward(before, after):
     """Progress [m], less a contact, closeness to people, and the time that passes."""
     closeness = numpy.clip(0.3 - after.clearance, 0.0, 0.3)
-    return before.remaining_distance - after.remaining_distance - 20.0 * (after.contacts > 0) - closeness - 0.05
+    return before.remaining_distance - after.remaining_distance - 20.0 * (after.contacts > 0) - closeness - 0.1
 
 
 class Policy:
@@ -74,7 +75,7 @@ class Policy:
 def make_env(scenario, episodes, threads):
     """Returns a VecEnv for a policy."""
     observation = social_crowd.Observation('people', max_people=PEOPLE)
-    return social_crowd.VecEnv(scenario, episodes, observation=observation, reward=reward, threads=threads)
+    return social_crowd.VecEnv(scenario, episodes, ticks=TICKS, observation=observation, reward=reward, threads=threads)
 
 
 def run_episodes(env, policy, seed, options=None):

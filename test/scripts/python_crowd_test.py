@@ -6,7 +6,7 @@ import numpy
 import pytest
 import social_crowd
 import yaml
-from programs import page_examples
+from programs import ANTICIPATION_TABLE, page_examples
 from social_crowd.inputs import as_scenario
 
 WALKER = {'name': 'walker', 'duration': 20, 'goal_tolerance': 0.3,
@@ -193,7 +193,7 @@ class TablesTest:
 
     def test_evaluate_as_the_program(self, runner):
         evaluated = social_crowd.evaluate('anticipation', 'robot_circle_5', episodes=3, seed=4, robot='reactive')
-        runner.tool('evaluate', '--q-table', 'anticipation', '--episodes', 3, '--seed', 4, '--robot', 'reactive',
+        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--episodes', 3, '--seed', 4, '--robot', 'reactive',
                     '--robots-csv', runner.path('robots.csv'), 'robot_circle_5')
         with open(runner.path('robots.csv'), encoding='utf-8') as stream:
             names, *rows = [line.rstrip('\n').split(',') for line in stream]
