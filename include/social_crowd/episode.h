@@ -14,6 +14,10 @@
 #include "social_crowd/results.h"
 #include "social_crowd/scenario.h"
 
+namespace crowd {
+class Episode;
+}
+
 namespace crowd::library {
 
 /// @brief WALKING: on its way. ARRIVED, REMOVED: not in the world any more. STAYING: has arrived, and stays in the
@@ -33,6 +37,19 @@ struct AgentState {
   bool touched = false;       ///< in contact in any tick so far
   bool in_collision = false;  ///< in the last tick (thesis, 4.1)
   bool collided = false;      ///< in collision in any tick so far
+};
+
+/// @brief The same of all agents by ascending id, as arrays with an element or a row for each.
+struct AgentArrays {
+  std::vector<AgentId> id;
+  std::vector<std::uint8_t> status;  ///< see AgentStatus
+  std::vector<double> position;      ///< x, y
+  std::vector<double> heading;
+  std::vector<double> velocity;  ///< x, y
+  std::vector<double> max_speed;
+  std::vector<double> radius;
+  std::vector<double> goal;  ///< x, y
+  std::vector<std::uint8_t> in_contact;
 };
 
 /// @brief An agent to be added; all vectors in `map`.
@@ -82,6 +99,8 @@ class Episode {
   /// @brief One tick with decisions of your own. @throws InputError if an action is not finite or not within 0 to 1,
   /// and whatever `decide` throws; no agent of that turn has moved then
   bool walk(const Decide& decide);
+  /// @brief One tick with these actions; agents without one stay. @throws InputError as above
+  bool walk(const std::vector<Action>& actions);
 
   /// @brief Whether all agents and all robots with goals have arrived, or the duration of the scenario is reached.
   bool isOver() const;
@@ -91,6 +110,8 @@ class Episode {
   /// @brief The agents by ascending id: those of the scenario, also after they have arrived, and those that were added
   /// later, until the tick after they have arrived.
   std::vector<AgentState> agents() const;
+  /// @brief The same as arrays. @param arrays are overwritten; their memory is reused
+  void agents(AgentArrays& arrays) const;
   std::vector<RobotState> robots() const;
   /// @brief The walls by their ids, `map`; those of the scenario have the ids 0, 1, 2 ...
   std::map<std::size_t, Wall> walls() const;
@@ -111,6 +132,9 @@ class Episode {
   void commandRobot(std::uint32_t robot, const Vector2& velocity, double rotation);
   /// @brief Puts a robot at another place at once, where it stands. @param pose in `map`
   void teleportRobot(std::uint32_t robot, const Pose& pose);
+
+  /// @brief For this library and its Python module only.
+  crowd::Episode& episode();
 
  private:
   struct State;

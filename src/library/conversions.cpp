@@ -95,6 +95,32 @@ EpisodeResult toPublic(const crowd::EpisodeResult& result) {
           result.robots,   result.way_finding_problem};
 }
 
+void toPublic(const World& world, AgentArrays& arrays) {
+  const std::size_t count = world.agents().size();
+  for (auto* const numbers : {&arrays.heading, &arrays.max_speed, &arrays.radius}) numbers->resize(count);
+  for (auto* const points : {&arrays.position, &arrays.velocity, &arrays.goal}) points->resize(2 * count);
+  arrays.id.resize(count);
+  arrays.status.resize(count);
+  arrays.in_contact.resize(count);
+  std::size_t i = 0;
+  const auto put = [&](std::vector<double>& points, const crowd::Vector2& point) {
+    points[2 * i] = point.x();
+    points[2 * i + 1] = point.y();
+  };
+  for (const Agent& agent : world.agents()) {
+    arrays.id[i] = agent.id;
+    arrays.status[i] = static_cast<std::uint8_t>(agent.status);
+    put(arrays.position, agent.pose.position);
+    arrays.heading[i] = agent.pose.heading;
+    put(arrays.velocity, agent.velocity);
+    arrays.max_speed[i] = agent.max_speed;
+    arrays.radius[i] = agent.radius;
+    put(arrays.goal, agent.goal());
+    arrays.in_contact[i] = agent.in_contact ? 1 : 0;
+    ++i;
+  }
+}
+
 void toPublic(const crowd::Perceptions& from, Perceptions& to) {
   to.episode = from.episode;
   to.tick = from.tick;

@@ -4,10 +4,12 @@
 
 #include "geometry/geometry.h"
 #include "simulation/episode_result.h"
+#include "social_crowd/episode.h"
 #include "social_crowd/perception.h"
 #include "social_crowd/results.h"
 #include "world/perception.h"
 #include "world/relative_action.h"
+#include "world/world.h"
 
 /// Conversions between the types of the public headers and those of the package.
 namespace crowd::library {
@@ -28,6 +30,8 @@ inline crowd::Vision fromPublic(const Vision& vision) {
 }
 
 EpisodeResult toPublic(const crowd::EpisodeResult& result);
+/// @param arrays are overwritten; their memory is reused
+void toPublic(const World& world, AgentArrays& arrays);
 /// @param to is overwritten; its memory is reused
 void toPublic(const crowd::Perceptions& from, Perceptions& to);
 /// @param to is overwritten; its memory is reused @throws InputError as Learner::decide() does

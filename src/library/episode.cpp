@@ -1,5 +1,7 @@
 #include "social_crowd/episode.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "common/thread_pool.h"
@@ -26,6 +28,28 @@ class OwnDecider final : public Decider {
  private:
   const Decide& decide_;
   Perceptions& perceptions_;
+};
+
+/// Carries out given actions.
+class GivenActions final : public Decider {
+ public:
+  explicit GivenActions(const std::vector<Action>& actions) { fromPublic(actions, actions_); }
+
+  bool decide(crowd::Episode& episode, std::vector<AgentAction>& actions) override {
+    if (episode.scene().order != Order::SEQUENTIAL) {
+      actions = actions_;
+      return !episode.isOver();
+    }
+    actions.clear();
+    for (const AgentPerception& seen : episode.perceptions().agents) {  // of one turn
+      const auto is_its = [&](const AgentAction& action) { return action.agent == seen.agent; };
+      std::copy_if(actions_.begin(), actions_.end(), std::back_inserter(actions), is_its);
+    }
+    return !episode.isOver();
+  }
+
+ private:
+  std::vector<AgentAction> actions_;
 };
 
 /// Walks to the end of the tick.
@@ -104,6 +128,11 @@ bool Episode::walk(const Decide& decide) {
   return walkTick(state_->episode, decider);
 }
 
+bool Episode::walk(const std::vector<Action>& actions) {
+  GivenActions decider(actions);
+  return walkTick(state_->episode, decider);
+}
+
 bool Episode::isOver() const { return state_->episode.isOver(); }
 std::uint64_t Episode::tick() const { return state_->world().tick(); }
 double Episode::time() const { return state_->world().time(); }
@@ -115,6 +144,8 @@ std::vector<AgentState> Episode::agents() const {
   for (const Agent& agent : state_->world().agents()) states.push_back(stateOf(agent));
   return states;
 }
+
+void Episode::agents(AgentArrays& arrays) const { toPublic(state_->world(), arrays); }
 
 std::vector<RobotState> Episode::robots() const {
   std::vector<RobotState> states;
@@ -146,6 +177,8 @@ void Episode::setGoal(AgentId agent, const Vector2& goal) { state_->episode.edit
 void Episode::teleport(AgentId agent, const Pose& pose) { state_->episode.edit().teleport(agent, fromPublic(pose)); }
 std::size_t Episode::addWall(const Wall& wall) { return state_->episode.edit().addWall(fromPublic(wall)); }
 void Episode::removeWall(std::size_t wall) { state_->episode.edit().removeWall(wall); }
+
+crowd::Episode& Episode::episode() { return state_->episode; }
 
 void Episode::commandRobot(std::uint32_t robot, const Vector2& velocity, double rotation) {
   state_->episode.robots().command(robot, {fromPublic(velocity), rotation});

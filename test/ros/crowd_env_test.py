@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""The Python class CrowdEnv: reset, step, observations and rewards."""
+"""The Python class CrowdEnv: reset, step, observations and rewards, and the same bytes as Env without ROS."""
 import numpy
+import social_crowd
 import support
 from robots import RobotTestCase, scenario
 from social_crowd.crowd_env import CrowdEnv, CrowdEnvError
@@ -60,7 +61,7 @@ class CrowdEnvTest(RobotTestCase):
         env = self.start_env(scenario(duration=0.3))
         env.reset()
         self.assertEqual([env.step((0.0, 0.0))[3] for _ in range(3)], [False, False, True])
-        with self.assertRaisesRegex(CrowdEnvError, 'call reset'):
+        with self.assertRaisesRegex(social_crowd.CrowdError, 'call reset'):
             env.step((0.0, 0.0))
         self.assertEqual(env.reset()[1]['tick'], 0)
         env.step((0.0, 0.0))
@@ -78,18 +79,99 @@ class CrowdEnvTest(RobotTestCase):
 
     def test_errors(self):
         env = self.start_env(scenario())
-        with self.assertRaisesRegex(CrowdEnvError, 'call reset'):
+        with self.assertRaisesRegex(social_crowd.CrowdError, 'call reset'):
             env.step((0.0, 0.0))
         env.reset()
-        with self.assertRaisesRegex(CrowdEnvError, 'expected 2 or 3 numbers, got 1'):
+        with self.assertRaisesRegex(social_crowd.InputError, r'expected 2 numbers \(ahead, rotation\), got shape \(1, 1\)'):
             env.step((0.0,))
-        with self.assertRaisesRegex(CrowdEnvError, 'finite'):
+        with self.assertRaisesRegex(social_crowd.InputError, 'finite'):
             env.step((float('nan'), 0.0))
-        other = CrowdEnv(robot='cart', controller=f'{self.namespace}/crowd_controller')
         with self.assertRaisesRegex(CrowdEnvError, "no robot 'cart', only: tug"):
-            other.reset()
+            CrowdEnv(robot='cart', controller=f'{self.namespace}/crowd_controller')
         with self.assertRaisesRegex(CrowdEnvError, 'is the crowd controller running'):
             CrowdEnv(controller=f'{self.namespace}/nobody', timeout=0.2)
+
+    def test_a_robot_that_has_changed(self):
+        env = self.start_env(scenario())
+        env.reset()
+        file = self.write('other.yaml', scenario().replace('max_speed: 1.0', 'max_speed: 2.0'))
+        self.succeed('crowd_controller/load_scenario', scenario=file)
+        with self.assertRaisesRegex(CrowdEnvError, "'tug' has changed"):
+            env.reset()
+
+
+class SameBytesTest(RobotTestCase):
+    """CrowdEnv and Env return the same, bit for bit."""
+
+    def assert_same_bytes(self, text, table, seed, **parameters):
+        """Drives both through two episodes with the same actions."""
+        self.start_learner(q_table=table)
+        self.start_all(text, learner=False)
+        through_ros = CrowdEnv(controller=f'{self.namespace}/crowd_controller', **parameters)
+        local = social_crowd.Env(text, table, **parameters)
+        self.assertEqual(through_ros.action_space, local.action_space)
+        self.assertEqual(through_ros.observation_space, local.observation_space)
+        random = numpy.random.default_rng(3)
+        ends = 0
+        for episode_seed in (seed, None):
+            observation, info = through_ros.reset(seed=episode_seed)
+            # The gait of people depends on the number of the episode, which counts up in the controller.
+            expected = local.reset(seed=episode_seed, options={'number': info['episode_number']})
+            self.assert_same((observation, info), expected)
+            while True:
+                action = random.uniform(0.3 * local.action_space.low, local.action_space.high)
+                returned, expected = through_ros.step(action), local.step(action)
+                self.assert_same(returned, expected)
+                if returned[2] or returned[3]:
+                    self.assertIn('metrics', returned[4])
+                    ends += 1
+                    break
+        self.assertEqual(ends, 2)
+        through_ros.close()
+
+    def assert_same(self, returned, expected):
+        """Compares what reset() or step() returned."""
+        for key, array in expected[0].items():
+            self.assertEqual(returned[0][key].dtype, array.dtype)
+            self.assertEqual(returned[0][key].tobytes(), array.tobytes(), key)
+        self.assertEqual(returned[1:-1], expected[1:-1])
+        numpy.testing.assert_equal(returned[-1], expected[-1])
+
+    def test_scans(self):
+        self.assert_same_bytes(AMONG_PEOPLE, 'anticipation', seed=5, ticks=2)
+
+    def test_people(self):
+        observation = social_crowd.Observation('people', max_people=4)
+        self.assert_same_bytes(AMONG_PEOPLE, 'anticipation', seed=6, observation=observation, contact_ends=False)
+
+    def test_grids(self):
+        self.assert_same_bytes(AMONG_PEOPLE, 'anticipation', seed=7, observation='grid')
+
+    def test_people_with_gait_and_a_holonomic_robot(self):
+        text = AMONG_PEOPLE.replace('max_speed: 1', 'drive: holonomic, max_speed: 1')
+        self.assert_same_bytes(text, 'human', seed=8, observation='people', action='velocity')
+
+    def test_rewards_of_ones_own(self):
+        def reward(before, after):
+            return after.clearance - before.clearance + numpy.nanmin(after.scan) + after.pose[0]
+
+        self.assert_same_bytes(AMONG_PEOPLE, 'anticipation', seed=9, reward=reward)
+
+
+AMONG_PEOPLE = """
+name: among_people
+duration: 6
+goal_tolerance: 0.3
+contact: solid
+agents:
+  - {count: 12, position: {box: [[-4, -4], [4, 4]]}, goal: {box: [[-4, -4], [4, 4]]}, speed: [1.0, 1.5], radius: 0.25}
+robots:
+  - {name: tug, position: [-6, 0], goal: {box: [[4, -1], [5, 1]]}, radius: 0.3, max_speed: 1, yields: nobody,
+     scan: {rays: 180, noise: 0.02, dropout: 0.05, people: legs}, odometry: {distance: 0.02}}
+walls:
+  - [[-7, -5], [7, -5]]
+  - [[-7, 5], [7, 5]]
+"""
 
 
 if __name__ == '__main__':

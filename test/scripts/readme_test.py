@@ -96,7 +96,7 @@ class ReadmeTest:
         lines = command_lines(README)
         assert [line for line in lines if line not in KNOWN] == [], 'lines of the pages that this test does not run'
         assert [line for line in KNOWN if line not in lines] == [], 'lines that are no longer in the pages'
-        assert [block.split()[0] for block in other_blocks(README)] == ['robots:', 'import']
+        assert [block.split()[0] for block in other_blocks(README)] == ['import', 'robots:', 'import']
 
     def test_lines_that_are_not_run(self):
         """Their scripts are there, and know the options."""
@@ -166,13 +166,19 @@ class ReadmeTest:
         assert STEPPED in README
         process = terminal.start(f'{ROBOT[0]} {STEPPED}')
         wait_for(terminal.has_master, 'the ROS master')
-        terminal.write('drive.py', other_blocks(README)[1] + 'print("over", info["tick"])\n')
+        terminal.write('drive.py', other_blocks(README)[2] + 'print("over", info["tick"])\n')
         assert re.search(r'^over [1-9]\d*$', terminal.run('/usr/bin/python3 drive.py'), re.MULTILINE)
         terminal.interrupt(process)
 
+    def test_a_policy_of_ones_own(self, terminal):
+        pytest.importorskip('social_crowd._core')
+        terminal.write('policy.py', other_blocks(README)[0])
+        said = terminal.run('/usr/bin/python3 policy.py')
+        assert re.search(r'^arrived without a contact: \d+ of 20\nreactive rule: 20 arrived$', said, re.MULTILINE), said
+
     def test_the_example_of_a_robot(self, terminal):
         """It is a part of a scenario file."""
-        terminal.write('robot.yaml', MY_SCENARIO + other_blocks(README)[0])
+        terminal.write('robot.yaml', MY_SCENARIO + other_blocks(README)[1])
         terminal.run('rosrun social_crowd evaluate --q-table config/q_tables/human.txt robot.yaml')
 
     def test_arguments_of_the_launch_file(self, terminal):

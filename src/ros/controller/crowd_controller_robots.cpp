@@ -13,11 +13,11 @@ std::future<void> CrowdController::beginRobotSteps(
     const std::shared_ptr<social_crowd::StepRobots::Response>& response) {
   if (!parameters_.paused || !episode_->beginsTick()) throw InputError("the crowd is walking: call ~pause first");
   if (pending_steps_ != nullptr) throw InputError("another step request is in progress");
-  const auto observe = [this, response, with_scan = request.with_scan != 0](bool over) {
+  const auto observe = [this, response, request](bool over) {
     response->episode = episode_->number();
     response->tick = episode_->world().tick();
     response->done = over ? 1 : 0;
-    response->observations = robots_.observations(broadcaster_.header().stamp, with_scan);
+    response->observations = robots_.observations(broadcaster_.header().stamp, request);
     response->message = "now at " + place();
   };
   const CommandCollector::Commands commands = robots_.commands().commandsOf(request.robots, request.commands);

@@ -22,16 +22,6 @@ std::vector<std::string> identitiesOf(const std::vector<Robot>& robots) {
   return identities;
 }
 
-/// Adds the contacts of the last tick that are not there yet.
-void addContacts(const Robot& robot, std::vector<RobotContact>& contacts) {
-  for (const RobotContact& contact : robot.contacts) {
-    const auto is_same = [&](const RobotContact& other) {
-      return other.agent == contact.agent && other.cause == contact.cause;
-    };
-    if (std::none_of(contacts.begin(), contacts.end(), is_same)) contacts.push_back(contact);
-  }
-}
-
 }  // namespace
 
 RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters,
@@ -174,19 +164,30 @@ social_crowd::RobotStates RobotInterface::states(const ros::Time& now) const {
   return message;
 }
 
-std::vector<social_crowd::RobotObservation> RobotInterface::observations(const ros::Time& now, bool with_scan) {
+std::vector<social_crowd::RobotObservation> RobotInterface::observations(
+    const ros::Time& now, const social_crowd::StepRobots::Request& wanted) {
   std::vector<social_crowd::RobotObservation> observations;
   const std::vector<float> none;
+  const World& world = episode_->world();
   // Services may have changed the world since the scans of this tick.
   if (episode_->changes() != scanned_changes_) senses_->forgetScans();
   scanned_changes_ = episode_->changes();
-  for (RobotId robot = 0; robot < robots().size(); ++robot) {
-    social_crowd::RobotObservation observation = toObservation(
-        robots()[robot], episode_->world(), contacts_.empty() ? robots()[robot].contacts : contacts_[robot]);
+  std::vector<RobotResult> results;
+  if (wanted.with_result != 0) results = episode_->result().robots;
+  for (RobotId id = 0; id < robots().size(); ++id) {
+    const Robot& robot = robots()[id];
+    const std::vector<RobotContact>& contacts = contacts_.empty() ? robot.contacts : contacts_[id];
+    social_crowd::RobotObservation observation = toMessage(robot.start, observeRobot(robot, world, contacts));
     observation.header.frame_id = names::MAP_FRAME;
     observation.header.stamp = now;
-    observation.scan = topics_[robot]->scanMessage(with_scan ? senses_->ranges(episode_->world(), robot) : none,
-                                                   episode_->world().tickDuration(), now);
+    const std::vector<float>& ranges = wanted.with_scan != 0 ? senses_->ranges(world, id) : none;
+    observation.scan = topics_[id]->scanMessage(ranges, world.tickDuration(), now);
+    if (wanted.with_people != 0) {
+      for (const Neighbour& person : visiblePeople(world, id, *senses_)) {
+        observation.people.push_back(toMessage(person));
+      }
+    }
+    if (wanted.with_result != 0) observation.result.push_back(toMessage(results[id]));
     observations.push_back(observation);
   }
   return observations;

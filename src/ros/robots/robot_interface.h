@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 #include <social_crowd/RobotObservation.h>
 #include <social_crowd/RobotStates.h>
+#include <social_crowd/StepRobots.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
@@ -54,8 +55,9 @@ class RobotInterface {
   /// @brief Ends that.
   void endSteps();
   /// @brief What all robots observe now, with the contacts of all ticks since beginSteps(), or, without that, of the
-  /// last tick. @param with_scan with ranges
-  std::vector<social_crowd::RobotObservation> observations(const ros::Time& now, bool with_scan);
+  /// last tick. @param wanted says what they contain
+  std::vector<social_crowd::RobotObservation> observations(const ros::Time& now,
+                                                           const social_crowd::StepRobots::Request& wanted);
 
  private:
   const std::vector<Robot>& robots() const { return episode_->world().robots().list(); }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "ros/messages/conversions.h"
 
@@ -38,20 +37,6 @@ void writeCovariance(const Eigen::Matrix3d& covariance, boost::array<double, DIM
       numbers[MEASURED[i] * DIMENSIONS + MEASURED[k]] = i == k ? std::max(LEAST_VARIANCE, value) : value;
     }
   }
-}
-
-void addOnce(AgentId agent, std::vector<AgentId>& agents) {
-  if (std::find(agents.begin(), agents.end(), agent) == agents.end()) agents.push_back(agent);
-}
-
-double clearanceOf(const Robot& robot, const World& world) {
-  double clearance = std::numeric_limits<double>::infinity();
-  for (const Agent& agent : world.agents()) {
-    if (!agent.isPresent()) continue;
-    const double apart = distance(robot.start.footprint, robot.pose, agent.pose.position);
-    clearance = std::min(clearance, apart - agent.radius);
-  }
-  return clearance;
 }
 
 }  // namespace
@@ -206,23 +191,35 @@ social_crowd::RobotResult toMessage(const RobotResult& result) {
   return message;
 }
 
-social_crowd::RobotObservation toObservation(const Robot& robot, const World& world,
-                                             const std::vector<RobotContact>& contacts) {
+social_crowd::Neighbour toMessage(const Neighbour& neighbour) {
+  social_crowd::Neighbour message;
+  message.kind = static_cast<std::uint8_t>(neighbour.kind);
+  message.x = neighbour.position.x();
+  message.y = neighbour.position.y();
+  message.velocity_x = neighbour.velocity.x();
+  message.velocity_y = neighbour.velocity.y();
+  message.radius = neighbour.radius;
+  return message;
+}
+
+social_crowd::RobotObservation toMessage(const RobotStart& start, const RobotObservation& seen) {
   social_crowd::RobotObservation message;
-  message.name = robot.start.name;
-  message.pose = toPose2D(robot.pose);
-  message.twist = toMessage(robot.twist);
-  message.has_goal = robot.hasGoal() ? 1 : 0;
-  message.arrived = robot.hasArrived() ? 1 : 0;
-  if (robot.hasGoal()) message.goal = toPoint(relativePose(robot.pose, {robot.goal(), 0.0}).position);
-  message.remaining_distance = robot.remainingDistance();
-  message.blocked = robot.blocked ? 1 : 0;
-  for (const RobotContact& contact : contacts) {
-    addOnce(contact.agent, message.contacts);
-    if (contact.cause == ContactCause::ROBOT) addOnce(contact.agent, message.contacts_by_robot);
-    if (contact.cause == ContactCause::PERSON) addOnce(contact.agent, message.contacts_by_person);
-  }
-  message.clearance = clearanceOf(robot, world);
+  message.name = start.name;
+  message.drive = DRIVES.nameOf(start.drive);
+  message.max_speed = start.limits.max_speed;
+  message.max_rotation = start.limits.max_rotation;
+  message.radius = start.footprint.reach();
+  message.pose = toPose2D(seen.pose);
+  message.twist = toMessage(seen.twist);
+  message.has_goal = seen.has_goal ? 1 : 0;
+  message.arrived = seen.arrived ? 1 : 0;
+  if (seen.has_goal) message.goal = toPoint(seen.goal);
+  message.remaining_distance = seen.remaining_distance;
+  message.blocked = seen.blocked ? 1 : 0;
+  message.contacts = seen.contacts;
+  message.contacts_by_robot = seen.by_robot;
+  message.contacts_by_person = seen.by_person;
+  message.clearance = seen.clearance;
   return message;
 }
 

@@ -7,6 +7,7 @@
 #include <nav_msgs/Odometry.h>
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <social_crowd/Neighbour.h>
 #include <social_crowd/RobotObservation.h>
 #include <social_crowd/RobotResult.h>
 #include <social_crowd/RobotState.h>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "robots/robot_commands.h"
+#include "robots/robot_observation.h"
 #include "robots/robot_senses.h"
 #include "ros/controller/pose_collector.h"
 #include "social_crowd/results.h"
@@ -54,8 +56,8 @@ social_crowd::RobotState toMessage(const Robot& robot, RobotId id);
 void writeCounts(const CommandCounts& counts, social_crowd::RobotState& message);
 void writeCounts(const PoseInput& input, social_crowd::RobotState& message);
 social_crowd::RobotResult toMessage(const RobotResult& result);
-/// @brief All fields but header and scan. @param contacts those of the ticks that are observed
-social_crowd::RobotObservation toObservation(const Robot& robot, const World& world,
-                                             const std::vector<RobotContact>& contacts);
+social_crowd::Neighbour toMessage(const Neighbour& neighbour);
+/// @brief All fields but header, scan, people and result.
+social_crowd::RobotObservation toMessage(const RobotStart& start, const RobotObservation& seen);
 
 }  // namespace crowd

@@ -1,0 +1,267 @@
+// A crowd that walks tick by tick.
+
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "python/arrays.h"
+#include "python/bindings.h"
+#include "python/results.h"
+#include "simulation/episode.h"
+#include "social_crowd/episode.h"
+#include "social_crowd/errors.h"
+
+namespace crowd::python {
+namespace {
+
+using library::AgentArrays;
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// @throws InputError unless the array has this number of elements
+void requireLength(const char* name, const Numbers& numbers, std::size_t expected) {
+  if (numbers.ndim() == 1 && static_cast<std::size_t>(numbers.size()) == expected) return;
+  throw InputError(std::string(name) + ": expected an array of " + std::to_string(expected) + " numbers, got " +
+                   std::to_string(numbers.size()) + " in " + std::to_string(numbers.ndim()) + " dimensions");
+}
+
+/// What agents perceive at the start of a tick, as arrays that show the memory of a shared object.
+class PerceptionArrays {
+ public:
+  explicit PerceptionArrays(std::shared_ptr<const Perceptions> perceptions) : shared_(std::move(perceptions)) {}
+
+  const Perceptions& perceptions() const { return *shared_; }
+
+  /// An array of a field of all agents. @param columns numbers of the field; 0: it is one number
+  template <typename Number, typename Field>
+  py::array ofAgents(Field AgentPerception::*field, std::size_t columns) const {
+    return ofElements<Number>(shared_->agents, columns, [&](const AgentPerception& seen) { return &(seen.*field); });
+  }
+  py::array pose() const {
+    return ofElements<double>(shared_->agents, 3, [](const AgentPerception& seen) { return &seen.pose; });
+  }
+  py::array walls() const {
+    return ofElements<double>(shared_->walls, 4, [](const Segment& wall) { return &wall; });
+  }
+  template <typename Number>
+  py::array ofNeighbours(const Number* numbers) const {
+    const auto count = static_cast<py::ssize_t>(shared_->neighbours.size());
+    return viewOf(py::dtype::of<Number>(), {count}, {static_cast<py::ssize_t>(sizeof(Number))}, numbers,
+                  shareOf(shared_));
+  }
+
+ private:
+  template <typename Number, typename Element, typename Address>
+  py::array ofElements(const std::vector<Element>& elements, std::size_t columns, const Address& address) const {
+    const auto count = static_cast<py::ssize_t>(elements.size());
+    const auto step = static_cast<py::ssize_t>(sizeof(Element));
+    const void* const first = elements.empty() ? nullptr : static_cast<const void*>(address(elements.front()));
+    const py::dtype type = py::dtype::of<Number>();
+    if (columns == 0) return viewOf(type, {count}, {step}, first, shareOf(shared_));
+    return viewOf(type, {count, static_cast<py::ssize_t>(columns)}, {step, static_cast<py::ssize_t>(sizeof(Number))},
+                  first, shareOf(shared_));
+  }
+
+  std::shared_ptr<const Perceptions> shared_;
+};
+
+static_assert(offsetof(Pose, heading) == 2 * sizeof(double) && sizeof(Segment) == 4 * sizeof(double),
+              "arrays show them as numbers side by side");
+
+/// An episode, and the arrays of its agents, which step() updates in place while their number stays the same.
+class Crowd {
+ public:
+  Crowd(const library::Scenario& scenario, const library::QTable& table, std::uint64_t seed, std::uint64_t number,
+        unsigned threads)
+      : learner_(table, seed), episode_(scenario, table.vision(), seed, number, threads) {
+    update();
+  }
+
+  bool step() {
+    const bool walked = episode_.walk(learner_);
+    update();
+    return walked;
+  }
+
+  bool stepWith(const Numbers& rotations, const Numbers& speeds) {
+    const Perceptions& seen = episode_.episode().perceptions();
+    requireLength("rotations", rotations, seen.agents.size());
+    requireLength("speeds", speeds, seen.agents.size());
+    std::vector<library::Action> actions;
+    for (std::size_t i = 0; i < seen.agents.size(); ++i) {
+      const auto at = static_cast<py::ssize_t>(i);
+      if (!seen.agents[i].arrived) actions.push_back({seen.agents[i].agent, rotations.at(at), speeds.at(at)});
+    }
+    const py::gil_scoped_release released;
+    const bool walked = episode_.walk(actions);
+    update();
+    return walked;
+  }
+
+  /// Changes the world, then the arrays.
+  template <typename Change>
+  auto edit(const Change& change) {
+    const auto result = change(episode_);
+    update();
+    return result;
+  }
+
+  library::Episode& episode() { return episode_; }
+  const std::shared_ptr<AgentArrays>& arrays() const { return arrays_; }
+  PerceptionArrays perceptions() { return PerceptionArrays(episode_.episode().sharedPerceptions()); }
+
+ private:
+  void update() {
+    const std::size_t count = episode_.episode().world().agents().size();
+    if (arrays_ == nullptr || arrays_->id.size() != count) arrays_ = std::make_shared<AgentArrays>();
+    episode_.agents(*arrays_);
+  }
+
+  library::Learner learner_;
+  library::Episode episode_;
+  std::shared_ptr<AgentArrays> arrays_;
+};
+
+/// A property that shows an array of the agents.
+template <typename Number>
+auto show(std::vector<Number> AgentArrays::*numbers, std::size_t columns) {
+  return [=](const Crowd& crowd) { return viewOf((*crowd.arrays()).*numbers, columns, shareOf(crowd.arrays())); };
+}
+
+py::dict describe(const library::RobotState& robot) {
+  py::dict fields;
+  fields["name"] = robot.name;
+  fields["pose"] = py::make_tuple(robot.pose.position.x, robot.pose.position.y, robot.pose.heading);
+  fields["velocity"] = py::make_tuple(robot.velocity.x, robot.velocity.y);
+  fields["radius"] = robot.radius;
+  fields["goal"] = robot.goal ? py::object(py::make_tuple(robot.goal->x, robot.goal->y)) : py::none();
+  fields["arrived"] = robot.arrived;
+  fields["in_contact"] = robot.in_contact;
+  return fields;
+}
+
+void bindPerceptions(py::module_& module) {
+  using Arrays = PerceptionArrays;
+  const auto field = [](auto member, std::size_t columns) {
+    return [=](const Arrays& arrays) { return arrays.ofAgents<double>(member, columns); };
+  };
+  py::class_<Arrays>(module, "Perceptions", "What the agents perceive at the start of a tick: arrays without copies.")
+      .def_property_readonly("ids",
+                             [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::agent, 0); })
+      .def_property_readonly("poses", &Arrays::pose, "x, y, heading of each agent; map")
+      .def_property_readonly("velocities", field(&AgentPerception::velocity, 2), "of the last tick, agent frame")
+      .def_property_readonly("goals", field(&AgentPerception::goal, 2), "or the next point on the way, agent frame")
+      .def_property_readonly("max_speeds", field(&AgentPerception::max_speed, 0))
+      .def_property_readonly("radii", field(&AgentPerception::radius, 0))
+      .def_property_readonly("arrived", [](const Arrays& a) { return a.ofAgents<bool>(&AgentPerception::arrived, 0); })
+      .def_property_readonly(
+          "first_neighbours",
+          [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::first_neighbour, 0); })
+      .def_property_readonly(
+          "neighbour_counts",
+          [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::neighbour_count, 0); })
+      .def_property_readonly("first_walls",
+                             [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::first_wall, 0); })
+      .def_property_readonly("wall_counts",
+                             [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::wall_count, 0); })
+      .def_property_readonly("neighbour_x",
+                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.xs()); })
+      .def_property_readonly("neighbour_y",
+                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.ys()); })
+      .def_property_readonly("neighbour_vx",
+                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.vxs()); })
+      .def_property_readonly("neighbour_vy",
+                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.vys()); })
+      .def_property_readonly("neighbour_radii",
+                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.radii()); })
+      .def_property_readonly("walls", &Arrays::walls, "x, y of both ends, agent frame");
+}
+
+}  // namespace
+
+void bindCrowd(py::module_& module) {
+  bindPerceptions(module);
+  const py::call_guard<py::gil_scoped_release> released;
+  py::class_<Crowd>(module, "Crowd")
+      .def(py::init<const library::Scenario&, const library::QTable&, std::uint64_t, std::uint64_t, unsigned>(),
+           py::arg("scenario"), py::arg("table"), py::arg("seed"), py::arg("episode"), py::arg("threads"), released)
+      .def("step", &Crowd::step, released,
+           "Walks a tick, in which the Q-table decides. Returns False if the episode is over: nothing has moved.")
+      .def("step", &Crowd::stepWith, py::arg("rotations"), py::arg("speeds"),
+           "The same with a rotation [rad] and a fraction of the maximum speed for each agent of perceptions().")
+      .def("perceptions", &Crowd::perceptions)
+      .def_property_readonly("is_over", [](Crowd& crowd) { return crowd.episode().isOver(); })
+      .def_property_readonly("tick", [](Crowd& crowd) { return crowd.episode().tick(); })
+      .def_property_readonly(
+          "time", [](Crowd& crowd) { return crowd.episode().time(); }, "[s]")
+      .def_property_readonly(
+          "tick_duration", [](Crowd& crowd) { return crowd.episode().tickDuration(); }, "[s]")
+      .def_property_readonly("ids", show(&AgentArrays::id, 0))
+      .def_property_readonly("statuses", show(&AgentArrays::status, 0), "0 walking, 1 arrived, 2 removed, 3 staying")
+      .def_property_readonly("positions", show(&AgentArrays::position, 2), "x, y [m], map")
+      .def_property_readonly("headings", show(&AgentArrays::heading, 0), "[rad]")
+      .def_property_readonly("velocities", show(&AgentArrays::velocity, 2), "of the last tick [m/s], map")
+      .def_property_readonly("max_speeds", show(&AgentArrays::max_speed, 0), "[m/s]")
+      .def_property_readonly("radii", show(&AgentArrays::radius, 0), "[m]")
+      .def_property_readonly("goals", show(&AgentArrays::goal, 2), "x, y [m], map")
+      .def_property_readonly(
+          "in_contact",
+          [](const Crowd& crowd) { return viewOfFlags(crowd.arrays()->in_contact, shareOf(crowd.arrays())); })
+      .def_property_readonly("robots",
+                             [](Crowd& crowd) {
+                               py::list robots;
+                               for (const library::RobotState& robot : crowd.episode().robots())
+                                 robots.append(describe(robot));
+                               return robots;
+                             })
+      .def_property_readonly("walls",
+                             [](Crowd& crowd) {
+                               const auto walls = crowd.episode().walls();
+                               py::array_t<double> array({walls.size(), std::size_t{4}});
+                               double* to = array.mutable_data();
+                               for (const auto& [id, wall] : walls) {
+                                 for (const double number : {wall.from.x, wall.from.y, wall.to.x, wall.to.y})
+                                   *to++ = number;
+                               }
+                               return array;
+                             })
+      .def(
+          "command_robot",
+          [](Crowd& crowd, std::uint32_t robot, double ahead, double left, double rotation) {
+            crowd.episode().commandRobot(robot, {ahead, left}, rotation);
+          },
+          py::arg("robot"), py::arg("ahead"), py::arg("left") = 0.0, py::arg("rotation") = 0.0,
+          "Lets a robot drive until the next command, robot frame [m/s], [rad/s].")
+      .def(
+          "spawn_agent",
+          [](Crowd& crowd, std::array<double, 2> position, std::array<double, 2> goal, double heading, double max_speed,
+             double radius) {
+            return crowd.edit([&](library::Episode& episode) {
+              return episode.spawnAgent({{position[0], position[1]}, heading, {{goal[0], goal[1]}}, max_speed, radius});
+            });
+          },
+          py::arg("position"), py::arg("goal"), py::arg("heading") = 0.0, py::arg("max_speed") = 1.3,
+          py::arg("radius") = 0.25, "Adds an agent. Returns its id.")
+      .def(
+          "remove_agent",
+          [](Crowd& crowd, std::uint32_t agent) {
+            crowd.edit([&](library::Episode& e) { return e.removeAgent(agent), 0; });
+          },
+          py::arg("agent"))
+      .def(
+          "set_goal",
+          [](Crowd& crowd, std::uint32_t agent, std::array<double, 2> goal) {
+            crowd.edit([&](library::Episode& episode) { return episode.setGoal(agent, {goal[0], goal[1]}), 0; });
+          },
+          py::arg("agent"), py::arg("goal"))
+      .def("result", [](Crowd& crowd) {
+        const library::EpisodeResult result = crowd.episode().result();
+        py::dict fields = toDict(result);
+        fields["by_agent"] = toDict(result.agents);
+        return fields;
+      });
+}
+
+}  // namespace crowd::python
