@@ -1,5 +1,5 @@
-"""What determines a row of the results, as digests: the program, the Q-table, the scene, the controller, its keys, seed and
-episode. Rows with the same digest are the same, bit for bit, on every machine."""
+"""What determines a row of the results, as digests: the program, the Q-table, the scene, the controller, its keys, seed
+and episode. Rows with the same digest are the same, bit for bit, on every machine."""
 import hashlib
 import json
 import re
@@ -68,8 +68,8 @@ def is_source(file):
 
 
 def scene_digest(file):
-    """Returns a digest of a scenario file, of the files that it names, and of the kinds of people of the package. It does
-    not depend on the folders that they are in."""
+    """Returns a digest of a scenario file, of the files that it names, and of the kinds of people of the package. It
+    does not depend on the folders that they are in."""
     document, = read_documents(file)
     named = [file.parent / entry[key] for entry, key in files_named_in(document)]
     if 'map' in document:

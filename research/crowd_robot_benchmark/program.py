@@ -3,10 +3,11 @@ import argparse
 import pathlib
 import shutil
 import sys
+import tempfile
 
 import pandas
-from crowd_experiments.arguments import add_file, add_tools, parser_of, positive
-from crowd_experiments.pages import fill_document
+from crowd_experiments.arguments import add_file, add_tools, parser_of, positive, whole
+from crowd_experiments.pages import fill_document, write_page
 from crowd_experiments.runs import RunError, execute_left
 from crowd_experiments.tools import find_config, find_evaluation
 from crowd_robots.driving import DRIVEN
@@ -14,10 +15,12 @@ from crowd_robots.driving import DRIVEN
 from . import verify
 from .identity import Inputs
 from .measures import chapter_of, read_record
-from .results import write_results
+from .results import read_results, write_results
 from .suite import CROWDNAV_EPISODES, EPISODES, RECORD, ROBOTS, ROS_EPISODES, Suite, scene_files
+from .worst import worst_chapter
 
 RESULTS = 'results.csv'  # in the output folder
+FILMS = 2
 DESCRIPTION = '''Measures robots among people: success, contacts by cause, time, discomfort, and what they cost people,
 in the scenes of config/scenarios/robots and in the setting of CrowdNav. Shares have 95 % intervals.'''
 EXAMPLES = '''examples:
@@ -26,11 +29,12 @@ EXAMPLES = '''examples:
   research/robot_benchmark --robot move_base --robot move_base_people   through ROS, where move_base is
   research/robot_benchmark --robot other=episodes.csv      adds a robot that was driven elsewhere
   research/robot_benchmark --table                         the tables of the results so far, without running anything
+  research/robot_benchmark --table --page robots.html      also a page with films of the worst episodes
   research/robot_benchmark --document research/docs/robots.md  also updates the tables of the page
   research/robot_benchmark verify results/robots/results.csv   repeats rows of a results file, see verify --help
 
-The results of `evaluate` are written to results.csv in the output folder: a row for each episode, with a hash of all that
-determines it. The same scenes, Q-table and program give the same file on every machine.
+The results of `evaluate` are written to results.csv in the output folder: a row for each episode, with a hash of all
+that determines it. The same scenes, Q-table and program give the same file on every machine.
 
 A record of a robot that was driven elsewhere has the columns of `evaluate --robots-csv`, and one row an episode. Its
 rows belong to the scene that the column `scenario` names; people_compared is 0 where people's delay is not known.
@@ -68,6 +72,10 @@ def parser_for(scenes):
     add_file(parser, '--output', default=pathlib.Path('results/robots'), metavar='FOLDER',
              help='folder of all results (default: %(default)s)')
     add_file(parser, '--document', metavar='FILE.md', help='also update the tables of this document')
+    add_file(parser, '--page', metavar='FILE.html', help='also write a page with the tables, and the worst episodes of '
+             'each robot with films')
+    add('--films', type=whole, default=FILMS, metavar='N',
+        help='films of each robot on the page (default: %(default)s)')
     add_file(parser, '--q-table', help='Q-table of people and of the learned robot (default: anticipation)')
     add('--processes', type=positive, default=1, metavar='N', help='number of parallel runs (default: %(default)s)')
     add('--threads', type=positive, default=1, metavar='N',
@@ -87,7 +95,7 @@ def main(words=None):
                   arguments.crowdnav_episodes, arguments.threads)
     if not arguments.table:
         carry_out(suite, arguments)
-    report(suite, arguments.document)
+    report(suite, arguments)
     return 0
 
 
@@ -116,7 +124,8 @@ def finished_runs(suite):
     return runs, crowdnav
 
 
-def report(suite, document):
+def report(suite, arguments):
+    """Prints the tables and writes the results file; also a document and a page, as far as they are wanted."""
     runs, crowdnav = finished_runs(suite)
     records = {robot: pandas.concat([read_record(run.folder / RECORD) for run in done]) for robot, done in runs.items()}
     records.update({file.stem: read_record(file) for file in sorted((suite.output / 'others').glob('*.csv'))})
@@ -126,10 +135,19 @@ def report(suite, document):
         raise RunError(f'{suite.output}: has no results')
     for table in chapter.tables():
         table.print()
-    if document:
-        print('\n'.join(fill_document(document, [chapter])))
+    if arguments.document:
+        print('\n'.join(fill_document(arguments.document, [chapter])))
+    intro = 'Rows of robots through ROS, or driven elsewhere, cannot be repeated.'
+    chapters = [chapter]
     repeatable = [robot for robot in runs if robot in ROBOTS]
     if repeatable:
         file = suite.output / RESULTS
         count, digest = write_results(file, suite, Inputs(suite), repeatable)
+        intro = f'{count} episodes in {RESULTS}, SHA-256 {digest}'
         print(f'\n{file}: {count} rows, SHA-256 {digest}')
+    with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
+        if arguments.page and repeatable:
+            chapters.append(worst_chapter(suite, *read_results(file), arguments.films, pathlib.Path(folder)))
+        if arguments.page:
+            write_page(arguments.page, 'Robots among people', None, chapters, intro)
+            print(f'{arguments.page}: {arguments.page.stat().st_size / 1e6:.1f} MB')

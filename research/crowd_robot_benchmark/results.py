@@ -1,5 +1,5 @@
-"""The results file: a row for each episode of a robot, with what determines it and the columns of `evaluate --robots-csv`
-exactly as they were written."""
+"""The results file: a row for each episode of a robot, with what determines it and the columns of
+`evaluate --robots-csv` exactly as they were written."""
 import csv
 import hashlib
 import typing
@@ -45,8 +45,8 @@ def record_rows(file):
 
 
 def write_results(file, suite, inputs, robots):
-    """Writes the results of the finished runs of robots in all scenes. Returns the number of rows, and the digest of the
-    file."""
+    """Writes the results of the finished runs of robots in all scenes. Returns the number of rows, and the digest of
+    the file."""
     columns, lines = None, []
     for robot in robots:
         for scene in suite.scenes:

@@ -18,9 +18,9 @@ EPILOG = '''examples:
   research/robot_benchmark verify results/robots/results.csv
   research/robot_benchmark verify results/robots/results.csv --rows all --processes 2
 
-Each of the rows is compared with what its hash says of it, then its episode is walked again with the scenario, the Q-table and
-the program that are here, and each number has to be the same text. A row whose program, scenario or Q-table differs from
-those here is named; its episode is repeated all the same, as its results may be the same.'''
+Each of the rows is compared with what its hash says of it, then its episode is walked again with the scenario, the
+Q-table and the program that are here, and each number has to be the same text. A row whose program, scenario or Q-table
+differs from those here is named; its episode is repeated all the same, as its results may be the same.'''
 
 rows_type = number_type(lambda text: text if text == ALL else int(text), lambda rows: rows == ALL or rows >= 1,
                         "a whole number from 1, or 'all'")
@@ -55,7 +55,7 @@ def repeat(suite, row):
         command = suite.command(identity.controller, keys, identity.scenario, 1, int(identity.episode),
                                 int(identity.seed))
     except (AttributeError, ValueError) as error:
-        raise RunError(f'{row.place()}: expected keys as JSON, and whole numbers as seed and episode: {error}') from None
+        raise RunError(f'{row.place()}: expected keys as JSON, whole numbers as seed and episode: {error}') from None
     with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
         output_of(command, cwd=folder)
         columns, rows = record_rows(pathlib.Path(folder) / RECORD)
@@ -84,9 +84,9 @@ def check(suite, inputs, columns, row):
 
 
 def main(words):
-    parser = parser_of('robot_benchmark verify', 'Repeats rows of a results file of robot_benchmark, and compares them bit '
-                       'for bit.', EPILOG, '0 all rows are the same, 1 some are not, or an error, 2 wrong usage, 130 '
-                       'interrupted.')
+    parser = parser_of('robot_benchmark verify', 'Repeats rows of a results file of robot_benchmark, and compares them '
+                       'bit for bit.', EPILOG, '0 all rows are the same, 1 some are not, or an error, 2 wrong usage, '
+                       '130 interrupted.')
     add_file(parser, 'results', metavar='FILE.csv')
     parser.add_argument('--rows', type=rows_type, default=ROWS, metavar='N',
                         help='number of rows, spread over the file, or all (default: %(default)s)')
@@ -128,6 +128,6 @@ def report(file, rows, outcomes):
             print(f'{file}:{row.line}: {row.place()}: {problem}')
     same = sum(is_same for _, is_same in outcomes)
     sound = sum(not problems for problems, _ in outcomes)
-    print(f'{file}: {len(rows)} rows repeated: the results of {same} are the same, bit for bit; {sound} were made with what is '
-          'here')
+    print(f'{file}: {len(rows)} rows repeated: the results of {same} are the same, bit for bit; {sound} were made with '
+          'what is here')
     return 0 if sound == len(rows) else 1

@@ -37,13 +37,13 @@ class Table(typing.NamedTuple):
 
 
 class Figure(typing.NamedTuple):
-    """A picture with its caption."""
+    """A picture, or a film that browsers show as one, with its caption."""
     file: pathlib.Path
     caption: str
 
     def data(self):
-        """Returns the picture as text for HTML."""
-        return base64.b64encode(self.file.read_bytes()).decode()
+        """Returns the picture as the address of an image in HTML."""
+        return f'data:image/{self.file.suffix[1:]};base64,{base64.b64encode(self.file.read_bytes()).decode()}'
 
 
 @dataclasses.dataclass

@@ -61,9 +61,9 @@ def frame_duration(settings):
 
 
 def frame_times(settings, tracks):
-    """Returns the simulated times of the frames [s], up to the time at which the last agent leaves."""
+    """Returns the simulated times of the frames [s], up to the end of the last of the Tracks."""
     step = frame_duration(settings) / 1000 * settings.speed
-    end = min(settings.start + settings.duration, max(track.times[-1] for track in tracks.values()))
+    end = min(settings.start + settings.duration, max(track.times[-1] for track in tracks))
     if end < settings.start:
         raise InputError(f'--start: the recording ends at {end:g} s, got {settings.start:g}')
     frames = int((end - settings.start) / step + 1e-9) + 1
@@ -73,13 +73,14 @@ def frame_times(settings, tracks):
     return [settings.start + i * step for i in range(frames)]
 
 
-def make(settings, scene, tracks):
-    """Makes a film, again and smaller if it is larger than `max_megabytes`. Returns width, height, number of frames."""
-    times = frame_times(settings, tracks)
+def make(settings, scene, tracks, robots=None):
+    """Makes a film, again and smaller if it is larger than `max_megabytes`. Returns width, height, number of frames.
+    `robots`: see FramePainter."""
+    times = frame_times(settings, [*tracks.values(), *(robots or [])])
     size = settings.size
     with replaced(settings.output) as part:
         while True:
-            width, height = shoot(part, dataclasses.replace(settings, size=size), scene, tracks, times)
+            width, height = shoot(part, dataclasses.replace(settings, size=size), scene, tracks, robots, times)
             megabytes = part.stat().st_size / MEGABYTE
             if megabytes <= settings.max_megabytes:
                 return width, height, len(times)
@@ -91,15 +92,15 @@ def make(settings, scene, tracks):
             print(f'film: {megabytes:.1f} MB are too large; once more with {size} pixels', file=sys.stderr, flush=True)
 
 
-def shoot(file, settings, scene, tracks, times):
+def shoot(file, settings, scene, tracks, robots, times):
     """Writes a film to a file. Returns its width and height [pixels]."""
-    stage = Stage(scene, tracks, settings.title, settings.size, settings.view)
+    stage = Stage(scene, tracks, settings.title, settings.size, settings.view, robots)
     gigabytes = 3 * stage.width * stage.height * len(times) / 1e9
     if settings.output.suffix.lower() == '.webp' and gigabytes > MOST_GIGABYTES:
         raise InputError(f'a WebP film of {len(times)} frames with {stage.width} x {stage.height} pixels would need '
                          f'{gigabytes:.1f} GB of memory, more than {MOST_GIGABYTES:g}; expected .gif or .mp4, or a '
                          'shorter --duration')
-    painter = FramePainter(stage, scene, tracks)
+    painter = FramePainter(stage, scene, tracks, robots)
     samples = [painter.draw(time) for time in times[::max(1, len(times) // SAMPLES)]]
     bar = ProgressBar(len(times), len(times), 'frames')
 

@@ -31,9 +31,9 @@ class Stage:
     """A figure of a given size in pixels, in which a scene is drawn without its people, gates and moving obstacles.
 
     `view` is the part of the scene that is shown, [x0, y0, x1, y1] in metres; None: all of it, including all places
-    of the tracks. `size` is the longer side of the film [pixels]."""
+    of the tracks. `size` is the longer side of the film [pixels]. `robots`: see FramePainter."""
 
-    def __init__(self, scene, tracks, title, size, view=None):
+    def __init__(self, scene, tracks, title, size, view=None, robots=None):
         self.figure, axes = pyplot.subplots(dpi=DPI)
         self.picture = Picture(axes)
         draw_surroundings(self.picture, scene, None)
@@ -44,6 +44,8 @@ class Stage:
                 self.picture.show(body['position'], body['radius'])
         for agent, track in tracks.items():
             self.picture.show(track.places, scene.radius_of(agent))
+        for track, robot in zip(robots or [], scene.robots):
+            self.picture.show(track.places, robot['radius'])
         self.recorded = [(track, radius) for _, track, radius in recorded_people(scene)]
         for track, radius in self.recorded:
             self.picture.show(track.places, radius)
@@ -93,15 +95,15 @@ def even(number):
 
 
 class FramePainter:
-    """Draws the people of a scene at any time on a Stage. Only what moves is drawn for each frame."""
+    """Draws the people of a scene at any time on a Stage. Only what moves is drawn for each frame. `robots`: the Tracks
+    of the scene's robots; None: they stand at their start."""
 
-    def __init__(self, stage, scene, tracks):
-        self.stage, self.scene, self.tracks = stage, scene, tracks
+    def __init__(self, stage, scene, tracks, robots=None):
+        self.stage, self.scene, self.tracks, self.robot_tracks = stage, scene, tracks, robots
         # People in the order of their entry have colours that are easy to distinguish.
         # Without agents in a scenario the numbers are those of a recording, which may be large.
         order = sorted({*range(len(scene.agents)), *tracks})
         self.colours = {agent: to_rgb(colour) for agent, colour in zip(order, colours_of(len(order)))}
-        self.placed_robots = [robot for robot in scene.robots if robot['position'] is not None]
         axes = stage.picture.axes
         self.gates = [axes.plot(*zip(*wall), color=GATE_COLOUR, linewidth=2.5, zorder=4)[0]
                       for wall, _ in scene.population.gates]
@@ -137,7 +139,8 @@ class FramePainter:
         present = [(agent, track) for agent, track in self.tracks.items() if track.is_present(time)]
         discs = [(place_of(obstacle, time), obstacle['radius'], to_rgb(OBSTACLE_COLOUR))
                  for obstacle in self.scene.obstacles if obstacle['position'] is not None]
-        discs += [(robot['position'], robot['radius'], to_rgb(ROBOT_COLOUR)) for robot in self.placed_robots]
+        robots = self.robots_at(time)
+        discs += [(place, radius, to_rgb(ROBOT_COLOUR)) for place, _, radius in robots]
         noses = []
         for track, radius in self.stage.recorded:
             if track.is_present(time):
@@ -155,9 +158,16 @@ class FramePainter:
         self.trails.set_color(shades)
         set_discs(self.bodies, discs)
         self.noses.set_segments(noses)
-        self.robots.set_segments([[robot['position'], point_ahead(robot['position'], robot['heading'],
-                                                                  robot['radius'])] for robot in self.placed_robots])
+        self.robots.set_segments([[place, point_ahead(place, heading, radius)] for place, heading, radius in robots])
         self.show_goals(time)
+
+    def robots_at(self, time):
+        """Returns place, heading and radius of each robot at a time [s]."""
+        if self.robot_tracks is None:
+            return [(robot['position'], robot['heading'], robot['radius']) for robot in self.scene.robots
+                    if robot['position'] is not None]
+        return [(track.place_at(time), track.heading_at(time), robot['radius'])
+                for track, robot in zip(self.robot_tracks, self.scene.robots)]
 
     def show_goals(self, time):
         """Shows the last goal of each agent on its way, and the outline of each that has arrived."""

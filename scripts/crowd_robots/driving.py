@@ -89,8 +89,8 @@ def folder_of_parameters(folder):
 
 
 def drive(settings, record):
-    """Drives one scenario after the other, given the arguments of their launches; an earlier record stays until the new one
-    is complete. Returns the exit status."""
+    """Drives one scenario after the other, given the arguments of their launches; an earlier record stays until the new
+    one is complete. Returns the exit status."""
     part, finished = (record.with_name(f'.{record.name}.{end}') for end in ('part', 'finished'))
     finished.unlink(missing_ok=True)
     os.environ.update(ROS_MASTER_URI=f'http://127.0.0.1:{free_port()}', ROS_HOSTNAME='127.0.0.1')
@@ -103,7 +103,8 @@ def drive(settings, record):
         if launched.is_stopped or status != 0:
             files = ' and '.join(str(file) for file in (finished, part) if file.exists())
             kept = f'; recorded so far: {files}' if files else ''
-            print(f'drive_robots: {"interrupted" if launched.is_stopped else "roslaunch failed"}{kept}', file=sys.stderr)
+            what = 'interrupted' if launched.is_stopped else 'roslaunch failed'
+            print(f'drive_robots: {what}{kept}', file=sys.stderr)
             return EXIT_INTERRUPTED if launched.is_stopped else status
         count = len(read_csv(part)['episode'])
         expected = arguments['episodes'] * len(arguments['robots'].split() or [''])

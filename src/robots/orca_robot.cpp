@@ -14,9 +14,10 @@ Twist OrcaRobot::command(const World& world, RobotId id, const Vector2& goal) {
     planes_.push_back(orca::avoid(wall, self.radius, WALL_HORIZON, perception.tick_duration));
   }
   const std::size_t fixed = planes_.size();
+  const double radius = self.radius + (robot.start.drive == Drive::HOLONOMIC ? 0.0 : TRACKING_ERROR);
   for (const Neighbour& body : perception.neighbours) {
     const double share = body.kind == NeighbourKind::AGENT ? 0.5 : 1.0;
-    planes_.push_back(orca::avoid(body, self.radius, self.velocity, share, HORIZON, perception.tick_duration));
+    planes_.push_back(orca::avoid(body, radius, self.velocity, share, HORIZON, perception.tick_duration));
   }
   const Vector2 velocity = orca::nearestVelocity(planes_, fixed, self.max_speed, wantedVelocity(self, goal));
   return steer(robot.start.drive, bearingOf(velocity), velocity.norm());

@@ -105,7 +105,8 @@ TEST(Orca, NoVelocityIsBetter) {
         EXPECT_GT(deepest(planes, 0, other), 0.0);
         bool holds = true;
         for (std::size_t w = 0; w < walls; ++w) holds = holds && depth(planes[w], other) <= 0.0;
-        if (holds) EXPECT_LE(deepest(planes, walls, velocity), deepest(planes, walls, other) + 1e-9);
+        if (!holds) continue;
+        EXPECT_LE(deepest(planes, walls, velocity), deepest(planes, walls, other) + 1e-9);
       }
     }
     for (std::size_t w = 0; w < walls; ++w) EXPECT_LE(depth(planes[w], velocity), 1e-9);

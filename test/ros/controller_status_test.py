@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The status of the controller, its pace and its list of scenarios, and the agent that crowd_markers shows."""
 import os
+import pathlib
 
 import support
 from controlling import ControllerTestCase
@@ -68,10 +69,10 @@ class ControllerStatusTest(ControllerTestCase):
     def test_scenarios_are_listed(self):
         self.start_all()
         listed = self.do('list_scenarios')
-        files = os.listdir(support.in_package('config', 'scenarios'))
-        self.assertEqual(listed.names, sorted(file[:-5] for file in files if file.endswith('.yaml')))
+        files = pathlib.Path(support.in_package('config', 'scenarios')).rglob('*.yaml')
+        self.assertEqual(listed.names, sorted(file.stem for file in files))
         self.assertIn('circle6', listed.names)
-        for name in ('circle6', 'line6'):
+        for name in ('circle6', 'line6', 'robot_hall'):
             self.do('load_scenario', scenario=name)
 
     def test_scenarios_of_another_folder_are_listed(self):

@@ -13,11 +13,13 @@ import pytest
 from crowd_drawing.errors import read_documents
 from crowd_experiments.runs import RunError
 from crowd_experiments.tools import find_config
-from crowd_robot_benchmark.identity import Inputs, scene_digest
-from crowd_robot_benchmark.measures import (CROWDNAV_ORCA, Summary, chapter_of, interval, number_text, read_record,
-                                            rows_of)
+from crowd_robot_benchmark.identity import Identity, Inputs, scene_digest
+from crowd_robot_benchmark.measures import (CAUSES, CROWDNAV_ORCA, Summary, chapter_of, interval, number_text,
+                                            read_record, rows_of)
+from crowd_robot_benchmark.results import Row
 from crowd_robot_benchmark.suite import INVISIBLE, ROBOTS, VISIBLE, Suite, changed_scene, scene_files
 from crowd_robot_benchmark.verify import spread
+from crowd_robot_benchmark.worst import robot_tracks, worst_rows
 from crowd_robots.driving import launch_arguments
 from programs import ANTICIPATION_TABLE, assert_says, in_package, read_text, tools_folder, wait_for
 
@@ -123,6 +125,12 @@ class TablesTest:
 SCENES = scene_files(find_config())
 
 
+def logs_robots():
+    """Returns whether `evaluate` has the option --robot-log."""
+    done = subprocess.run([os.path.join(tools_folder(), 'evaluate'), '--help'], capture_output=True, check=True)
+    return b'--robot-log' in done.stdout
+
+
 class ScenesTest:
     """config/scenarios/robots."""
 
@@ -147,7 +155,8 @@ class ScenesTest:
     def test_people_go_on(self, runner):
         """In each scene but CrowdNav's, there are people on their way when the robot could have arrived."""
         record = runner.path('record.csv')
-        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--episodes', '1', '--record', record, *SCENES.values())
+        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--episodes', '1', '--record', record,
+                    *SCENES.values())
         ends = {}
         for row in rows_of_csv(record):
             left = row['arrived'] == '0' and row['ticks'] != '0'
@@ -189,7 +198,8 @@ class IdentityTest:
     def test_settings(self, tmp_path):
         inputs = Inputs(self.suite(tmp_path))
         settings = [('learned', 1, 0), ('learned_stop', 1, 0), ('orca', 1, 0), ('learned', 2, 0), ('learned', 1, 1)]
-        found = [inputs.identity(name, ROBOTS[name], 'robot_station', seed, episode) for name, seed, episode in settings]
+        found = [inputs.identity(name, ROBOTS[name], 'robot_station', seed, episode)
+                 for name, seed, episode in settings]
         assert len({identity.hash for identity in found}) == len(settings)
         for field in ('package', 'program'):
             assert found[0]._replace(**{field: '0'}).computed_hash() != found[0].hash
@@ -210,6 +220,41 @@ class IdentityTest:
         assert all(os.path.isabs(file) and os.path.exists(file) for file in named if file)
 
 
+class WorstEpisodesTest:
+    """The worst episodes, and films of them."""
+
+    def test_order(self, tmp_path):
+        """Contacts first, then failures, then the time near people; one episode of a scene."""
+        columns = ['success', 'time_to_reach_goal', *CAUSES, 'personal_space_time']
+        values = {('a', '0'): '1,9,0,0,0,5', ('a', '1'): '1,9,0,1,0,1', ('b', '0'): '0,nan,0,0,0,3',
+                  ('b', '1'): '1,9,0,0,0,9', ('c', '0'): '1,9,1,1,0,0', ('d', '0'): '1,9,0,0,0,1'}
+        rows = [Row(0, Identity(*(['x'] * 9), episode, scene), text.split(','))
+                for (scene, episode), text in values.items()]
+        found = [(row.identity.scenario, row.identity.episode) for row, _ in worst_rows(columns, rows)]
+        assert found == [('c', '0'), ('a', '1'), ('b', '0'), ('d', '0')]
+
+    def test_robots_of_a_log(self, tmp_path):
+        log = tmp_path / 'log.jsonl'
+        lines = [{'scenario': 'a', 'tick_duration': 0.5, 'robots': [{'name': 'tug', 'radius': 0.3}]},
+                 {'tick': 0, 'robots': [{'x': 1, 'y': 2, 'heading': 3.0}], 'people': []},
+                 {'tick': 1, 'robots': [{'x': 2, 'y': 2, 'heading': -3.0}], 'people': []}]
+        log.write_text(''.join(json.dumps(line) + '\n' for line in lines), encoding='utf-8')
+        track, = robot_tracks(log)
+        assert track.place_at(0.25) == [1.5, 2.0]
+        assert track.heading_at(0.5) == pytest.approx(2 * math.pi - 3)  # it turned across pi
+
+    @pytest.mark.skipif(not logs_robots(), reason='`evaluate` writes no logs of robots')
+    def test_page(self, runner):
+        done = runner.start('robot_benchmark', [
+            in_package('research', 'robot_benchmark'), '--robot', 'straight', '--scenes', 'robot_frontal',
+            'robot_street', '--episodes', '1', '--crowdnav-episodes', '0', '--films', '2', '--page',
+            runner.path('page.html'), '--tools', tools_folder(), '--output', runner.path('results')])
+        assert done.wait() == 0, done.output()
+        page = read_text(runner.path('page.html'))
+        assert page.count('src="data:image/webp;base64,') == 2
+        assert_says(page, 'Worst episodes', 'straight in robot_street, episode 0', 'SHA-256 ')
+
+
 class RobotBenchmarkTest:
     """The program."""
 
@@ -228,7 +273,8 @@ class RobotBenchmarkTest:
                                document)
         assert first.wait() == 0, first.output()
         page = read_text(document)
-        assert_says(page, '| straight | 1 x 2 |', '| tug | 2 x 1-3 | 3 (30-95 %)', '| robot_crossing | ', '| robot_door | - | - | 2 / 1 |',
+        assert_says(page, '| straight | 1 x 2 |', '| tug | 2 x 1-3 | 3 (30-95 %)', '| robot_crossing | ',
+                    '| robot_door | - | - | 2 / 1 |',
                     '| robot visible | ORCA, published | 500 | 500 (99-100 %) |',
                     '| robot invisible | straight | 3 | ')
         record = read_record(runner.path('results/runs/straight/crowdnav_visible/robots.csv'))
@@ -249,8 +295,8 @@ class RobotBenchmarkTest:
 
     def test_results_are_verified(self, runner):
         """One and two threads, and scalar code, give the same file; a changed digit is found."""
-        words = ('--robot', 'learned_stop', '--robot', 'orca', '--scenes', 'robot_frontal', 'robot_station', '--episodes', '2',
-                 '--crowdnav-episodes', '0')
+        words = ('--robot', 'learned_stop', '--robot', 'orca', '--scenes', 'robot_frontal', 'robot_station',
+                 '--episodes', '2', '--crowdnav-episodes', '0')
         done = self.benchmark(runner, *words)
         assert done.wait() == 0, done.output()
         results = runner.path('results/results.csv')
@@ -271,8 +317,8 @@ class RobotBenchmarkTest:
         wrong = runner.write('wrong.csv', digit.join(text.rsplit(changed, 1)))
         found = self.verify(runner, wrong, '--rows', 'all')
         assert found.wait() == 1, found.output()
-        assert_says(found.output(), f'wrong.csv:9: orca in robot_station, episode 1: path_length is {digit} in the file, '
-                    f'{changed} here', 'the results of 7 are the same')
+        assert_says(found.output(), f'wrong.csv:9: orca in robot_station, episode 1: path_length is {digit} '
+                    f'in the file, {changed} here', 'the results of 7 are the same')
 
     def verify(self, runner, file, *words):
         return runner.start('verify', [in_package('research', 'robot_benchmark'), 'verify', file, '--tools',
@@ -318,7 +364,8 @@ class RobotBenchmarkTest:
 
     @pytest.mark.parametrize('words, said', [
         (['--robot', 'move_bus'],
-         'expected straight, reactive, orca, social_force, learned, learned_stop, move_base, move_base_people, or NAME='),
+         'expected straight, reactive, orca, social_force, learned, learned_stop, move_base, move_base_people, or '
+         'NAME='),
         (['--robot', 'straight=file.csv'], 'NAME=FILE.csv with another name'),
         (['--scenes', 'robot_dor'], "invalid choice: 'robot_dor'"),
         (['--episodes', '0'], 'expected a whole number from 1'),
@@ -367,7 +414,7 @@ class DriveRobotsTest:
     @pytest.mark.skipif(not has_move_base(), reason='move_base is not in the environment')
     def test_records_through_ros(self, runner):
         """Holonomic robots, ticks of 0.25 s and no map."""
-        driven = self.drive(runner, in_package('config', 'scenarios', 'robots', 'robot_circle_5.yaml'), '--episodes', '2')
+        driven = self.drive(runner, 'robot_circle_5', '--episodes', '2')
         assert driven.wait() == 0, driven.output()
         record = read_record(runner.path('robots.csv'))
         assert list(record['episode']) == [0, 1]

@@ -62,7 +62,7 @@ TEST(RobotControllers, RefuseUnknownNames) {
   const Learner learner = anticipationLearner();
   const Episode episode(scenes::scene({}), 0, Vision());
   EXPECT_EQ(errorOf<InputError>([&] { makeRobotController("sraight", episode, learner); }),
-            "robot controller: expected none, straight, reactive or learned, got 'sraight'");
+            "robot controller: expected none, straight, reactive, learned, orca or social_force, got 'sraight'");
 }
 
 TEST(ReactiveController, DrivesRoundPeopleWhoStand) {
