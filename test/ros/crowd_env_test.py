@@ -82,7 +82,7 @@ class CrowdEnvTest(RobotTestCase):
         with self.assertRaisesRegex(social_crowd.CrowdError, 'call reset'):
             env.step((0.0, 0.0))
         env.reset()
-        with self.assertRaisesRegex(social_crowd.InputError, r'expected 2 numbers \(ahead, rotation\), got shape \(1, 1\)'):
+        with self.assertRaisesRegex(social_crowd.InputError, r'expected 2 numbers \(ahead, rotation\), got shape'):
             env.step((0.0,))
         with self.assertRaisesRegex(social_crowd.InputError, 'finite'):
             env.step((float('nan'), 0.0))

@@ -36,7 +36,8 @@ class PythonPageTest:
         """A few generations are better than no training, and the same seed gives the same numbers on one thread."""
         short = ('--generations', 6, '--population', 16, '--episodes', 4, '--held-out', 10, '--every', 3, '--seed', 1)
         said = run(runner, TRAINING, *short, '--output', runner.path('policy'))
-        before, after = (float(re.search(f'{name}: (\\d+) % arrived', said).group(1)) for name in ('untrained', 'policy'))
+        before, after = (float(re.search(f'{name}: (\\d+) % arrived', said).group(1))
+                         for name in ('untrained', 'policy'))
         assert after >= before + 20
         with open(runner.path('policy.csv'), newline='', encoding='utf-8') as stream:
             assert [row['clean'] != '' for row in csv.DictReader(stream)] == [True, False, False, True, False, True]

@@ -1,4 +1,4 @@
-"""The wheel: what is in it, and its use without ROS. The C++ module is that of the build, as building it anew takes minutes."""
+"""The wheel: what is in it, and its use without ROS. Its C++ module is that of the build: a new one takes minutes."""
 import base64
 import csv
 import hashlib
