@@ -12,8 +12,8 @@ class Crowd(_core.Crowd):
     """One episode of a scenario, tick by tick.
 
     `positions`, `headings`, `velocities`, `goals`, `radii`, `max_speeds`, `ids`, `statuses` and `in_contact` are
-    read-only NumPy arrays without copies: step() updates them in place. When agents appear or leave, there are new ones,
-    and the old arrays stay as they are; so get them anew after step() where a scenario has sources or sinks.
+    read-only NumPy arrays without copies: step() updates them in place. When agents appear or leave, there are new
+    ones, and the old arrays stay as they are; so get them anew after step() where a scenario has sources or sinks.
     """
 
     def __init__(self, scenario, table='anticipation', *, seed=1, episode=0, threads=1):

@@ -29,7 +29,8 @@ class CrowdEnv(RobotEnv):
 
         timeout: for the start of the controller [s]
         """
-        backend = RosRobot(robot, whole_number('ticks', ticks, least=1), Observation.of(observation), timeout, controller)
+        backend = RosRobot(robot, whole_number('ticks', ticks, least=1), Observation.of(observation), timeout,
+                           controller)
         super().__init__(backend, observation=observation, action=action, reward=reward, contact_ends=contact_ends,
                          render_mode=render_mode)
 
@@ -114,7 +115,8 @@ class RosRobot:
         self._observed = self._own(response)
         robot = description_of(self._observed)
         if self.robot is not None and rounded(robot) != rounded(self.robot):
-            raise CrowdEnvError(f"the robot {self.robot['name']!r} has changed since the environment was made: make a new one")
+            raise CrowdEnvError(f"the robot {self.robot['name']!r} has changed since the environment was made: "
+                                'make a new one')
         self.robot = robot
         self.episode = response.episode
         self._write(response)

@@ -1,8 +1,8 @@
 """Rewards of robots.
 
 A reward is a function of what is known of the robot before and after a step: two objects with the attributes of
-docs/python.md, "Rewards". In Env and CrowdEnv the attributes are those of one robot, in VecEnv arrays with an element or a
-row for each robot, for which the function returns an array; functions of NumPy work for both.
+docs/python.md, "Rewards". In Env and CrowdEnv the attributes are those of one robot, in VecEnv arrays with an element
+or a row for each robot, for which the function returns an array; functions of NumPy work for both.
 """
 import types
 

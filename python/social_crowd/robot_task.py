@@ -32,7 +32,8 @@ class RobotTask:
         elif action == 'velocity' and is_holonomic:
             self._parts = (0, 1)
         elif action == 'velocity':
-            raise InputError(f"action: velocity needs a robot with drive: holonomic, {robot['name']!r} has {robot['drive']}")
+            raise InputError(f"action: velocity needs a robot with drive: holonomic, {robot['name']!r} has "
+                             f"{robot['drive']}")
         else:
             raise InputError(f'action: expected twist or velocity, got {action!r}')
         limits = numpy.array([speed, speed, turn], numpy.float32)[list(self._parts)]
@@ -76,7 +77,7 @@ class RobotTask:
         return rewards, terminated, self.backend.arrays['over'] & ~terminated
 
     def final_info(self, element):
-        """Returns what is known at the end of an episode: whether the robot arrived without contact, and its metrics."""
+        """Returns what is known at the end of an episode: whether it arrived without contact, and its metrics."""
         metrics = self.backend.result(element)
         contacts = sum(metrics[f'{cause}_collisions'] for cause in ('robot_on_person', 'person_on_robot', 'mutual'))
         return {'is_success': bool(metrics['success'] and contacts == 0), 'metrics': metrics}

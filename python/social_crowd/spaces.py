@@ -57,7 +57,7 @@ except ImportError:
             return bool(all(bounds.values()) if manner == 'both' else bounds[manner])
 
         def sample(self, mask=None):
-            """Returns a random value: uniform between bounds, normally distributed without, exponentially beside one."""
+            """Returns a random value: uniform between bounds, normal without, exponential beside one."""
             if mask is not None:
                 raise ValueError(f'a Box takes no mask, got {mask}')
             random = self.np_random

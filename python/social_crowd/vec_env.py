@@ -48,9 +48,9 @@ except ImportError:
 
 
 class VecEnv(Base):
-    """Drives one robot in each of many episodes. The interface is that of gymnasium.vector.VectorEnv (docs/python.md).
+    """Drives one robot in each of many episodes. The interface is that of gymnasium.vector.VectorEnv.
 
-    Element i gives the same observations and rewards, bit for bit, as an Env with its seed and its actions, whatever the
+    Element i gives the same observations and rewards, bit for bit, as an Env with its seed and actions, whatever the
     number of threads. An episode that has ended begins anew in the same step: the observation is the first one of the
     next episode, and `infos` has the last one (`final_obs`) and its information (`final_info`).
     """
@@ -165,7 +165,8 @@ class VecEnv(Base):
     def _masked(self, mask):
         mask = numpy.asarray(mask)
         if mask.shape != (self.num_envs,) or mask.dtype != bool:
-            raise InputError(f'reset_mask: expected an array of {self.num_envs} bool, got {mask.dtype} of shape {mask.shape}')
+            raise InputError(f'reset_mask: expected an array of {self.num_envs} bool, got {mask.dtype} of shape '
+                             f'{mask.shape}')
         if not self._has_begun and not mask.all():
             raise InputError('reset_mask: no episode has begun, so all environments must begin one')
         return numpy.flatnonzero(mask)

@@ -13,7 +13,8 @@ import zipfile
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 NAME = 'social_crowd'
-DATA = ('config/kinds.yaml', 'config/learning', 'config/maps', 'config/q_tables', 'config/recordings', 'config/scenarios')
+DATA = ('config/kinds.yaml', 'config/learning', 'config/maps', 'config/q_tables', 'config/recordings',
+        'config/scenarios')
 DATE = (1980, 1, 1, 0, 0, 0)  # of all files, so that the same sources give the same wheel
 METADATA = """Metadata-Version: 2.1
 Name: {name}

@@ -82,7 +82,7 @@ class CrowdEnvTest(RobotTestCase):
         with self.assertRaisesRegex(social_crowd.CrowdError, 'call reset'):
             env.step((0.0, 0.0))
         env.reset()
-        with self.assertRaisesRegex(social_crowd.InputError, r'expected 2 numbers \(ahead, rotation\), got shape \(1, 1\)'):
+        with self.assertRaisesRegex(social_crowd.InputError, r'expected 2 numbers \(ahead, rotation\), got shape'):
             env.step((0.0,))
         with self.assertRaisesRegex(social_crowd.InputError, 'finite'):
             env.step((float('nan'), 0.0))
@@ -153,7 +153,7 @@ class SameBytesTest(RobotTestCase):
 
     def test_rewards_of_ones_own(self):
         def reward(before, after):
-            return after.clearance - before.clearance + numpy.nanmin(after.scan) + after.pose[0]
+            return min(after.clearance, 9.0) - min(before.clearance, 9.0) + numpy.nanmin(after.scan) + after.pose[0]
 
         self.assert_same_bytes(AMONG_PEOPLE, 'anticipation', seed=9, reward=reward)
 

@@ -146,7 +146,8 @@ class CrowdTest:
             with pytest.raises(social_crowd.InputError):
                 crowd.step(rotations, speeds)
         numpy.testing.assert_array_equal(crowd.positions, [[0, 0]])  # nothing has moved
-        assert issubclass(social_crowd.FileError, OSError) and issubclass(social_crowd.InputError, social_crowd.CrowdError)
+        assert issubclass(social_crowd.FileError, OSError)
+        assert issubclass(social_crowd.InputError, social_crowd.CrowdError)
 
 
 class ScenarioTest:

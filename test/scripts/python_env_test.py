@@ -48,7 +48,7 @@ def bytes_of(observation):
 
 
 def drive(env, seed, steps):
-    """Returns the bytes of all that an Env returns, with actions that are drawn from a seed, through several episodes."""
+    """Returns the bytes of all that an Env returns in several episodes, with actions drawn from a seed."""
     random = numpy.random.default_rng(17)
     seen = [bytes_of(env.reset(seed=seed)[0])]
     for _ in range(steps):

@@ -1,5 +1,5 @@
-"""Env, VecEnv and spaces beside the interface of Gymnasium and stable-baselines3, as test/data/gymnasium_interface.yaml states
-it, and what these packages check of environments.
+"""Env, VecEnv and spaces beside the interface of Gymnasium and stable-baselines3, as stated in
+test/data/gymnasium_interface.yaml, and what these packages check of environments.
 """
 import copy
 import inspect

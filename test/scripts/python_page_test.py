@@ -1,6 +1,7 @@
 """docs/python.md: its examples, and the training of a policy in a short form."""
 import csv
 import os
+import re
 import subprocess
 import sys
 
@@ -32,14 +33,14 @@ class PythonPageTest:
         assert len(BLOCKS) == 5
 
     def test_training_of_a_policy(self, runner):
-        """The return grows within a few generations, and the same seed gives the same numbers."""
-        short = ('--generations', 4, '--population', 12, '--episodes', 4, '--held-out', 6, '--every', 2, '--seed', 1)
+        """A few generations are better than no training, and the same seed gives the same numbers on one thread."""
+        short = ('--generations', 6, '--population', 16, '--episodes', 4, '--held-out', 10, '--every', 3, '--seed', 1)
         said = run(runner, TRAINING, *short, '--output', runner.path('policy'))
-        assert 'reactive rule:' in said and 'policy: ' in said
+        before, after = (float(re.search(f'{name}: (\\d+) % arrived', said).group(1))
+                         for name in ('untrained', 'policy'))
+        assert after >= before + 20
         with open(runner.path('policy.csv'), newline='', encoding='utf-8') as stream:
-            rows = list(csv.DictReader(stream))
-        assert len(rows) == 4 and [row['clean'] != '' for row in rows] == [True, False, True, True]
-        assert float(rows[-1]['mean_return']) > float(rows[0]['mean_return'])
+            assert [row['clean'] != '' for row in csv.DictReader(stream)] == [True, False, False, True, False, True]
         assert os.path.getsize(runner.path('policy.png')) > 10000
         run(runner, TRAINING, *short, '--threads', 1, '--output', runner.path('again'))
         with open(runner.path('policy.npy'), 'rb') as one, open(runner.path('again.npy'), 'rb') as other:

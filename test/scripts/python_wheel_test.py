@@ -1,4 +1,4 @@
-"""The wheel: what is in it, and its use without ROS. The C++ module is that of the build, as building it anew takes minutes."""
+"""The wheel: what is in it, and its use without ROS. Its C++ module is that of the build: a new one takes minutes."""
 import base64
 import csv
 import hashlib
@@ -51,7 +51,7 @@ class WheelTest:
         site = runner.path('site')
         subprocess.run([sys.executable, '-m', 'pip', 'install', '--no-deps', '--no-index', '--target', site, wheel],
                        stdout=subprocess.DEVNULL, check=True)
-        code = ('import social_crowd; env = social_crowd.Env("robot_circle_5"); env.reset(seed=1);'
+        code = ('import social_crowd; env = social_crowd.Env("robot_circle_20"); env.reset(seed=1);'
                 'env.step((1.0, 0.0)); print(social_crowd.__file__)')
         environment = {'PATH': os.environ['PATH'], 'PYTHONPATH': site,
                        'LD_LIBRARY_PATH': os.environ.get('LD_LIBRARY_PATH', '')}
