@@ -32,7 +32,7 @@ class Evaluation:
     """Results of evaluate(): `means` by name, as the program `evaluate` prints them, and a dict for each episode.
 
     The dict of an episode has the counts of its agents, and in `robots` one dict for each robot, with the metrics of
-    docs/robot_metrics.md by name.
+    docs/metrics.md by name.
     """
 
     means: dict
