@@ -3,12 +3,10 @@ import json
 import pathlib
 import tempfile
 
-import numpy
-from crowd_drawing.files import read_scene
 from crowd_experiments.pages import Chapter
 from crowd_experiments.runs import output_of
 from crowd_film.program import Settings, make
-from crowd_recordings.formats import Track, read_shown
+from crowd_recordings.formats import read_shown
 
 from .measures import CAUSES
 
@@ -69,27 +67,7 @@ def make_film(suite, row, file):
         command = suite.command(identity.controller, json.loads(identity.keys), identity.scenario, 1,
                                 int(identity.episode), int(identity.seed))
         command.remove('--people-delay')  # the film ends when the robot has arrived
-        output_of([*command, '--trajectories', folder, '--scenes', folder, '--robot-log', LOG], cwd=folder)
-        scene, tracks = people_of(folder, identity.scenario)
+        output_of([*command, '--scenes', folder, '--robot-log', LOG], cwd=folder)
+        scene, tracks, _ = read_shown(folder / LOG, folder / f'{identity.scenario}.yaml')
         title = f'{identity.baseline}: {identity.scenario}, episode {identity.episode}'
-        make(Settings(file, title, speed=SPEED, fps=FPS, size=SIZE), scene, tracks, robot_tracks(folder / LOG))
-
-
-def people_of(folder, scenario):
-    """Returns the scene and the Tracks of its people, of whom there may be none besides recorded ones."""
-    trajectories, document = folder / f'{scenario}.csv', folder / f'{scenario}.yaml'
-    if len(trajectories.read_text(encoding='utf-8').splitlines()) < 2:
-        return read_scene(document, 0), {}
-    return read_shown(trajectories, document)[:2]
-
-
-def robot_tracks(log):
-    """Returns the Tracks of the robots in a log of one episode, lines of JSON as `evaluate --robot-log` writes them."""
-    header, *ticks = (json.loads(line) for line in log.read_text(encoding='utf-8').splitlines())
-    times = numpy.array([tick['tick'] * header['tick_duration'] for tick in ticks])
-    tracks = []
-    for number in range(len(header['robots'])):
-        robots = [tick['robots'][number] for tick in ticks]
-        tracks.append(Track(times, numpy.array([(robot['x'], robot['y']) for robot in robots]),
-                            numpy.unwrap([robot['heading'] for robot in robots])))
-    return tracks
+        make(Settings(file, title, speed=SPEED, fps=FPS, size=SIZE), scene, tracks)

@@ -180,9 +180,12 @@ class Scene:
                          for i, entry in enumerate(document.get('recorded') or [])]
         self.walls = [self.wall(wall, f'walls[{i}]') for i, wall in enumerate(document.get('walls') or [])]
         self.population = Population(self, document)
+        self.radii = {}  # of agents, where a recording has them [m]
 
     def radius_of(self, agent):
         """Returns the radius of an agent; those of sources follow the agents of the start."""
+        if agent in self.radii:
+            return self.radii[agent]
         radii = self.population.source_radii or [DEFAULT_RADIUS]
         return self.agents[agent]['radius'] if agent < len(self.agents) else radii[0]
 

@@ -16,6 +16,7 @@ from matplotlib.transforms import ScaledTranslation  # noqa: E402
 LONGER_SIDE = 7.0  # of the axes [inch]
 MARGIN = 0.5  # of the picture around its contents [m]
 OBSTACLE_COLOUR = '0.62'
+ROBOT_COLOUR = '#f2a900'
 RECORDED_COLOUR = '#1f2129'  # of recorded people
 SOURCE_COLOUR, SINK_COLOUR, GATE_COLOUR = '#8ecbf5', '#a5dba0', '#e07b00'
 START_ALPHA = 0.55

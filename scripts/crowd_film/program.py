@@ -26,18 +26,23 @@ EXAMPLES = '''examples:
   film place_office --speed 8 --max-size 3 --output office.webp
   film circle6 --trajectories recordings/circle6.csv --output circle6.mp4
   film --trajectories obsmat.txt --duration 60 --output people.gif
+  film robot_door --robot learned --output robot.webp
 
 One episode is walked with `evaluate`, or a recording of `evaluate --trajectories` is shown. MP4 needs ffmpeg.
-Robots are shown at their start.'''
+Recordings of robots are those of `evaluate --robot-log`.'''
+ROBOT = 'reactive'  # controller of robots
 
 
-def walk(scenario, evaluate, table, seed, folder):
-    """Walks one episode with `evaluate`. Returns the scene as drawn, and the Tracks by agent. Raises RunError."""
+def walk(scenario, evaluate, table, seed, robot, folder):
+    """Walks one episode with `evaluate`, with a controller of its robots. Returns the scene as drawn, and the Tracks by
+    agent. Raises RunError."""
     file = pathlib.Path(find_scenario(scenario)).resolve()
     print(f'film: walking {file.stem}', file=sys.stderr, flush=True)
+    log = folder / 'log.jsonl'
     output_of([evaluate, '--q-table', table, '--episodes', 1, '--seed', seed, '--trajectories', folder, '--scenes',
-               folder, file])
-    return read_shown(folder / f'{file.stem}.csv', folder / file.name)[:2]
+               folder, '--robot', robot, '--robot-log', log, file])
+    has_robots = log.is_file() and log.stat().st_size > 0
+    return read_shown(log if has_robots else folder / f'{file.stem}.csv', folder / file.name)[:2]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -73,14 +78,13 @@ def frame_times(settings, tracks):
     return [settings.start + i * step for i in range(frames)]
 
 
-def make(settings, scene, tracks, robots=None):
-    """Makes a film, again and smaller if it is larger than `max_megabytes`. Returns width, height, number of frames.
-    `robots`: see FramePainter."""
-    times = frame_times(settings, [*tracks.values(), *(robots or [])])
+def make(settings, scene, tracks):
+    """Makes a film, again and smaller if it is larger than `max_megabytes`. Returns width, height, number of frames."""
+    times = frame_times(settings, [*tracks.values(), *(robot['track'] for robot in scene.robots if 'track' in robot)])
     size = settings.size
     with replaced(settings.output) as part:
         while True:
-            width, height = shoot(part, dataclasses.replace(settings, size=size), scene, tracks, robots, times)
+            width, height = shoot(part, dataclasses.replace(settings, size=size), scene, tracks, times)
             megabytes = part.stat().st_size / MEGABYTE
             if megabytes <= settings.max_megabytes:
                 return width, height, len(times)
@@ -92,15 +96,15 @@ def make(settings, scene, tracks, robots=None):
             print(f'film: {megabytes:.1f} MB are too large; once more with {size} pixels', file=sys.stderr, flush=True)
 
 
-def shoot(file, settings, scene, tracks, robots, times):
+def shoot(file, settings, scene, tracks, times):
     """Writes a film to a file. Returns its width and height [pixels]."""
-    stage = Stage(scene, tracks, settings.title, settings.size, settings.view, robots)
+    stage = Stage(scene, tracks, settings.title, settings.size, settings.view)
     gigabytes = 3 * stage.width * stage.height * len(times) / 1e9
     if settings.output.suffix.lower() == '.webp' and gigabytes > MOST_GIGABYTES:
         raise InputError(f'a WebP film of {len(times)} frames with {stage.width} x {stage.height} pixels would need '
                          f'{gigabytes:.1f} GB of memory, more than {MOST_GIGABYTES:g}; expected .gif or .mp4, or a '
                          'shorter --duration')
-    painter = FramePainter(stage, scene, tracks, robots)
+    painter = FramePainter(stage, scene, tracks)
     samples = [painter.draw(time) for time in times[::max(1, len(times) // SAMPLES)]]
     bar = ProgressBar(len(times), len(times), 'frames')
 
@@ -130,7 +134,7 @@ def produce(arguments):
             table = find_config() / 'q_tables' / ('human.txt' if is_place else 'anticipation.txt')
             seed = 1 if arguments.seed is None else arguments.seed
             scene, tracks = walk(arguments.scenario, find_tools(arguments.tools) / 'evaluate',
-                                 arguments.q_table or table, seed, pathlib.Path(folder))
+                                 arguments.q_table or table, seed, arguments.robot or ROBOT, pathlib.Path(folder))
     title = (scene.name or arguments.trajectories.stem) if arguments.title is None else arguments.title
     settings = Settings(arguments.output, title, arguments.start, arguments.duration, arguments.speed, arguments.fps,
                         arguments.size, arguments.max_size, arguments.view)
@@ -148,8 +152,9 @@ def main(words=None):
     add_file(parser, '--output', required=True, help='FILE.gif, FILE.webp or FILE.mp4')
     add_file(parser, '--q-table', help='Q-table (default: human for scenarios place_*, else anticipation)')
     add('--seed', type=whole, metavar='N', help='seed of the episode (default: 1)')
-    add_file(parser, '--trajectories', help="show this recording: CSV of evaluate, JuPedSim's text format, or "
-                                            "obsmat.txt")
+    add('--robot', metavar='CONTROLLER', help=f'of robots, see evaluate --help (default: {ROBOT})')
+    add_file(parser, '--trajectories', help="show this recording: CSV of evaluate, its --robot-log, JuPedSim's text "
+                                            "format, or obsmat.txt")
     add('--frame-rate', type=above_zero, metavar='HZ', help='of the recording, in place of that in the file')
     add('--instance', type=whole, metavar='N', help='episode of the recording (default: the first)')
     add('--start', type=at_least_zero, default=0.0, metavar='S', help='simulated time of the first frame [s]')
@@ -172,7 +177,7 @@ def main(words=None):
         parser.error(f"--output: expected a name with {', '.join(WRITERS)}, got '{arguments.output}'")
     if not (arguments.scenario or arguments.trajectories):
         parser.error('expected a SCENARIO or --trajectories')
-    for name, value in (('--q-table', arguments.q_table), ('--seed', arguments.seed)):
+    for name, value in (('--q-table', arguments.q_table), ('--seed', arguments.seed), ('--robot', arguments.robot)):
         if arguments.trajectories and value is not None:
             parser.error(f'{name}: a recording is not walked again; expected either {name} or --trajectories')
     try:

@@ -4,8 +4,8 @@ import math
 import numpy
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import is_open, place_of
-from crowd_drawing.picture import (GATE_COLOUR, OBSTACLE_COLOUR, RECORDED_COLOUR, Picture, colours_of,
-                                   draw_surroundings, mark_of)
+from crowd_drawing.picture import (GATE_COLOUR, OBSTACLE_COLOUR, RECORDED_COLOUR, ROBOT_COLOUR, Picture,
+                                   colours_of, draw_surroundings, mark_of)
 from crowd_recordings.formats import recorded_people
 from matplotlib import pyplot
 from matplotlib.collections import LineCollection, PolyCollection
@@ -13,7 +13,6 @@ from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 
 DPI = 100
-ROBOT_COLOUR = '#f2a900'
 HEAD, FOOT = 28, 26  # [pixels] height of the strips above and below the place
 LEAST_WIDTH = 320  # [pixels] for texts
 EDGE = 10  # [pixels] at the left and right of texts
@@ -31,9 +30,9 @@ class Stage:
     """A figure of a given size in pixels, in which a scene is drawn without its people, gates and moving obstacles.
 
     `view` is the part of the scene that is shown, [x0, y0, x1, y1] in metres; None: all of it, including all places
-    of the tracks. `size` is the longer side of the film [pixels]. `robots`: see FramePainter."""
+    of the tracks. `size` is the longer side of the film [pixels]."""
 
-    def __init__(self, scene, tracks, title, size, view=None, robots=None):
+    def __init__(self, scene, tracks, title, size, view=None):
         self.figure, axes = pyplot.subplots(dpi=DPI)
         self.picture = Picture(axes)
         draw_surroundings(self.picture, scene, None)
@@ -44,8 +43,9 @@ class Stage:
                 self.picture.show(body['position'], body['radius'])
         for agent, track in tracks.items():
             self.picture.show(track.places, scene.radius_of(agent))
-        for track, robot in zip(robots or [], scene.robots):
-            self.picture.show(track.places, robot['radius'])
+        for robot in scene.robots:
+            if 'track' in robot:
+                self.picture.show(robot['track'].places, robot['radius'])
         self.recorded = [(track, radius) for _, track, radius in recorded_people(scene)]
         for track, radius in self.recorded:
             self.picture.show(track.places, radius)
@@ -95,11 +95,11 @@ def even(number):
 
 
 class FramePainter:
-    """Draws the people of a scene at any time on a Stage. Only what moves is drawn for each frame. `robots`: the Tracks
-    of the scene's robots; None: they stand at their start."""
+    """Draws the people of a scene at any time on a Stage. Only what moves is drawn for each frame. Robots without a
+    `track` stand at their start."""
 
-    def __init__(self, stage, scene, tracks, robots=None):
-        self.stage, self.scene, self.tracks, self.robot_tracks = stage, scene, tracks, robots
+    def __init__(self, stage, scene, tracks):
+        self.stage, self.scene, self.tracks = stage, scene, tracks
         # People in the order of their entry have colours that are easy to distinguish.
         # Without agents in a scenario the numbers are those of a recording, which may be large.
         order = sorted({*range(len(scene.agents)), *tracks})
@@ -163,11 +163,9 @@ class FramePainter:
 
     def robots_at(self, time):
         """Returns place, heading and radius of each robot at a time [s]."""
-        if self.robot_tracks is None:
-            return [(robot['position'], robot['heading'], robot['radius']) for robot in self.scene.robots
-                    if robot['position'] is not None]
-        return [(track.place_at(time), track.heading_at(time), robot['radius'])
-                for track, robot in zip(self.robot_tracks, self.scene.robots)]
+        return [(robot['track'].place_at(time), robot['track'].heading_at(time), robot['radius']) if 'track' in robot
+                else (robot['position'], robot['heading'], robot['radius'])
+                for robot in self.scene.robots if 'track' in robot or robot['position'] is not None]
 
     def show_goals(self, time):
         """Shows the last goal of each agent on its way, and the outline of each that has arrived."""

@@ -1,6 +1,7 @@
-"""Recorded crowds, and the formats of their files, which are recognised by the first line: CSV of `evaluate`,
-JuPedSim's text format (`id frame x y [z ...]`, with comments that begin with #, as PedPy reads it), and obsmat.txt of
-the ETH and UCY data sets (`frame person x z y vx vz vy`, annotated every 0.4 s); positions and headings at any time."""
+"""Recorded crowds, and the formats of their files, which are recognised by the first line: CSV of `evaluate`, logs of
+robots among people, JuPedSim's text format (`id frame x y [z ...]`, with comments that begin with #, as PedPy reads
+it), and obsmat.txt of the ETH and UCY data sets (`frame person x z y vx vz vy`, annotated every 0.4 s); positions and
+headings at any time."""
 import argparse
 import collections
 import dataclasses
@@ -12,6 +13,7 @@ import numpy
 from crowd_drawing.errors import InputError, check_output, replaced
 from crowd_drawing.files import DEFAULT_TICK, HEADER, Scene, collect, find_scenario, numbers_of, read_scene, read_walks
 from crowd_experiments.arguments import above_zero, add_file, parser_of, whole
+from crowd_recordings.robot_log import RobotLog, read_robot_log
 
 COLUMNS, PERIOD = 8, 0.4  # of obsmat.txt; [s] between two annotated frames
 OBSMAT_COLUMNS = 'frame, person, x, z, y, vx, vz and vy'
@@ -35,9 +37,11 @@ LEAST_MOTION = 0.02  # [m] within this span, below which the heading is unchange
 @dataclasses.dataclass(frozen=True)
 class Recording:
     """The positions of people. `walks`: lists of (frame, x, y) [m] by the number of the person, frames ascending;
-    `frame_duration`: time between two frames [s], None if the file does not contain it."""
+    `frame_duration`: time between two frames [s], None if the file does not contain it; `log`: the log that it is of,
+    if there are robots."""
     walks: dict
     frame_duration: float = None
+    log: RobotLog = None
 
     def at_rate(self, frame_rate):
         """Returns the same recording with a frame rate [Hz] in place of that of the file, if it is not None."""
@@ -79,12 +83,16 @@ def read_jupedsim(file, stream):
 
 
 def read_recording(file, instance=None):
-    """Reads a Recording. `instance`: which episode of a CSV file; None: the first. Raises InputError, OSError."""
+    """Reads a Recording. `instance`: which episode of a CSV file or a log; None: the first. Raises InputError,
+    OSError."""
     with open(file, encoding='utf-8', errors='replace') as stream:
         first = next((line for line in stream if line.strip()), '').strip()
         stream.seek(0)
         if first.startswith(HEADER[0]):
             return Recording(read_walks(file, instance)[1])
+        if first.startswith('{'):
+            log = read_robot_log(file, instance)
+            return Recording(log.walks, log.header['tick_duration'], log)
         if instance not in (None, 0):
             raise InputError(f'{file}: has no instance {instance}, expected 0')
         columns = len(first.split())
@@ -92,8 +100,9 @@ def read_recording(file, instance=None):
             return read_jupedsim(file, stream)
         if columns == COLUMNS:
             return read_obsmat(file, stream)
-    raise InputError(f"{file}:1: is not a recording; expected the header {','.join(HEADER)}, the text format of "
-                     'JuPedSim (comments with #, then id frame x y z), or the 8 columns of obsmat.txt')
+    raise InputError(f"{file}:1: is not a recording; expected the header {','.join(HEADER)}, a log of robots "
+                     '(lines of JSON), the text format of JuPedSim (comments with #, then id frame x y z), or the 8 '
+                     'columns of obsmat.txt')
 
 
 def write_recording(file, recording):
@@ -170,6 +179,12 @@ def track_of(walk, tick):
     return Track(times, places, numpy.unwrap(numpy.arctan2(motion[latest, 1], motion[latest, 0])))
 
 
+def robot_track(way, tick):
+    """Returns the Track of a robot of a log: a list of (tick, x, y, heading) [m, rad]."""
+    rows = numpy.array(way)
+    return Track(rows[:, 0] * tick, rows[:, 1:3], numpy.unwrap(rows[:, 3]))
+
+
 def part_of(track, entry):
     """Returns the part of a Track that an entry of Scene.recorded uses, at the times of the episode; None: none."""
     begin = max(entry.get('from', 0), track.times[0])
@@ -201,12 +216,17 @@ def read_shown(trajectories, scenario=None, instance=None, frame_rate=None):
     and the time between two frames [s].
 
     This time is that of the frame rate [Hz], else of the file, else a tick of the scenario. If a file that is not of
-    `evaluate` has other people than the agents of the scenario, walls, map, obstacles and gates remain of it. Raises
-    InputError, OSError."""
+    `evaluate` has other people than the agents of the scenario, walls, map, obstacles and gates remain of it. The
+    robots of a log have a key `track` each. Raises InputError, OSError."""
     recording = read_recording(trajectories, instance)
-    scene = read_scene(find_scenario(scenario), instance or 0) if scenario else Scene({}, trajectories)
-    last = max(recording.walks)
-    if recording.frame_duration is not None and last >= len(scene.agents):
+    log, last = recording.log, max(recording.walks, default=-1)
+    drawn = Scene(log.document() if log else {}, trajectories)
+    scene = read_scene(find_scenario(scenario), instance or 0) if scenario else drawn
+    if log:
+        scene.radii = log.radii
+        scene.robots = [dict(robot, track=robot_track(way, recording.frame_duration))
+                        for robot, way in zip(drawn.robots, log.robots)]
+    elif recording.frame_duration is not None and last >= len(scene.agents):
         scene.agents = []
     recording = recording.at_rate(frame_rate)
     if scenario and scene.agents and last >= len(scene.agents) and not scene.population.source_areas:
