@@ -2,6 +2,7 @@
 and episode. Rows with the same digest are the same, bit for bit, on every machine."""
 import hashlib
 import json
+import math
 import re
 import typing
 
@@ -15,6 +16,7 @@ DIGITS = 16  # of a digest
 # Sources of `evaluate`, which decide what an episode is; tests, nodes and messages do not.
 SOURCES = ('CMakeLists.txt', 'include', 'src')
 OTHER_SOURCES = ('nodes', 'ros', 'rviz', 'tools')  # folders of src/
+SAMPLES, SPACING = 5000, 0.0007391  # arguments of functions
 KINDS = 'kinds.yaml'  # kinds of people that scenes name
 
 
@@ -23,6 +25,7 @@ class Identity(typing.NamedTuple):
     hash: str  # of all others
     package: str  # version
     program: str  # digest of its sources
+    math: str  # digest of what the functions of the C library give on this processor
     q_table: str
     scene: str  # digest of the scenario and all files that it names
     baseline: str  # name of the robot in tables
@@ -33,7 +36,7 @@ class Identity(typing.NamedTuple):
     scenario: str
 
     def computed_hash(self):
-        return digest_of(json.dumps([FORMAT, *self[1:5], *self[6:]]).encode())
+        return digest_of(json.dumps([FORMAT, *self[1:6], *self[7:]]).encode())
 
     def with_hash(self):
         return self._replace(hash=self.computed_hash())
@@ -62,6 +65,17 @@ def program_digest():
     return digest_of(*(part for name, file in names for part in (name.encode(), file.read_bytes())))
 
 
+def math_digest():
+    """Returns a digest of values of functions of the C library, which has other code for processors without fused
+    operations; it may differ in the last bit."""
+    values = []
+    for i in range(-SAMPLES, SAMPLES):
+        x = i * SPACING
+        values += [math.sin(x), math.cos(x), math.tan(x), math.exp(x), math.log(abs(x) + SPACING), math.atan2(x, x - 1),
+                   abs(x)**SPACING, math.hypot(x, 1)]
+    return digest_of(*(value.hex().encode() for value in values))
+
+
 def is_source(file):
     parts = file.relative_to(REPOSITORY).parts
     return not (parts[0] == 'src' and parts[1] in OTHER_SOURCES) and file.suffix in ('.h', '.cpp', '.txt')
@@ -85,12 +99,12 @@ class Inputs:
     """The digests of what is here now, computed once."""
 
     def __init__(self, suite):
-        self.package, self.program = package_version(), program_digest()
+        self.package, self.program, self.math = package_version(), program_digest(), math_digest()
         self.q_table = digest_of(suite.q_table.read_bytes())
         self.scenes = {name: scene_digest(file) for name, file in suite.scenes.items()}
 
     def identity(self, name, baseline, scene, seed, episode):
         """Returns the identity of an episode of a robot, which has a name in tables."""
         keys = json.dumps(baseline.keys, sort_keys=True)
-        return Identity('', self.package, self.program, self.q_table, self.scenes[scene], name, baseline.controller,
-                        keys, str(seed), str(episode), scene).with_hash()
+        return Identity('', self.package, self.program, self.math, self.q_table, self.scenes[scene], name,
+                        baseline.controller, keys, str(seed), str(episode), scene).with_hash()

@@ -19,8 +19,8 @@ EPILOG = '''examples:
   research/robot_benchmark verify results/robots/results.csv --rows all --processes 2
 
 Each of the rows is compared with what its hash says of it, then its episode is walked again with the scenario, the
-Q-table and the program that are here, and each number has to be the same text. A row whose program, scenario or Q-table
-differs from those here is named; its episode is repeated all the same, as its results may be the same.'''
+Q-table and the program that are here, and each number has to be the same text. A row whose program, C library, scenario
+or Q-table differs from those here is named; its episode is repeated all the same, as its results may be the same.'''
 
 rows_type = number_type(lambda text: text if text == ALL else int(text), lambda rows: rows == ALL or rows >= 1,
                         "a whole number from 1, or 'all'")
@@ -42,7 +42,7 @@ def problems_of_identity(row, inputs):
         yield 'there is no such scene here'
         return
     here = inputs.identity('', Baseline('', {}), identity.scenario, 0, 0)
-    for name in ('package', 'program', 'q_table', 'scene'):
+    for name in ('package', 'program', 'math', 'q_table', 'scene'):
         if getattr(here, name) != getattr(identity, name):
             yield f'{name} is {getattr(identity, name)} in the file, {getattr(here, name)} here'
 

@@ -201,7 +201,7 @@ class IdentityTest:
         found = [inputs.identity(name, ROBOTS[name], 'robot_station', seed, episode)
                  for name, seed, episode in settings]
         assert len({identity.hash for identity in found}) == len(settings)
-        for field in ('package', 'program'):
+        for field in ('package', 'program', 'math'):
             assert found[0]._replace(**{field: '0'}).computed_hash() != found[0].hash
         # The name in tables determines nothing.
         assert found[0]._replace(baseline='other').computed_hash() == found[0].hash
@@ -228,7 +228,7 @@ class WorstEpisodesTest:
         columns = ['success', 'time_to_reach_goal', *CAUSES, 'personal_space_time']
         values = {('a', '0'): '1,9,0,0,0,5', ('a', '1'): '1,9,0,1,0,1', ('b', '0'): '0,nan,0,0,0,3',
                   ('b', '1'): '1,9,0,0,0,9', ('c', '0'): '1,9,1,1,0,0', ('d', '0'): '1,9,0,0,0,1'}
-        rows = [Row(0, Identity(*(['x'] * 9), episode, scene), text.split(','))
+        rows = [Row(0, Identity(*(['x'] * 10), episode, scene), text.split(','))
                 for (scene, episode), text in values.items()]
         found = [(row.identity.scenario, row.identity.episode) for row, _ in worst_rows(columns, rows)]
         assert found == [('c', '0'), ('a', '1'), ('b', '0'), ('d', '0')]
@@ -317,7 +317,7 @@ class RobotBenchmarkTest:
         wrong = runner.write('wrong.csv', digit.join(text.rsplit(changed, 1)))
         found = self.verify(runner, wrong, '--rows', 'all')
         assert found.wait() == 1, found.output()
-        assert_says(found.output(), f'wrong.csv:9: orca in robot_station, episode 1: path_length is {digit} '
+        assert_says(found.output(), f'wrong.csv:9: learned_stop in robot_station, episode 1: path_length is {digit} '
                     f'in the file, {changed} here', 'the results of 7 are the same')
 
     def verify(self, runner, file, *words):
@@ -340,9 +340,8 @@ class RobotBenchmarkTest:
 
     @pytest.mark.parametrize('text, said', [
         ('episode,scenario\n', 'expected results of robot_benchmark, with the columns hash,package,'),
-        ('hash,package,program,q_table,scene,baseline,controller,keys,seed,episode,scenario,robot\n', 'has no rows'),
-        ('hash,package,program,q_table,scene,baseline,controller,keys,seed,episode,scenario,robot\na,b\n',
-         'file.csv:2: expected 12 values, got 2')])
+        (','.join(Identity._fields) + ',robot\n', 'has no rows'),
+        (','.join(Identity._fields) + ',robot\na,b\n', 'file.csv:2: expected 13 values, got 2')])
     def test_files_that_cannot_be_verified(self, runner, text, said):
         refused = self.verify(runner, runner.write('file.csv', text))
         assert refused.wait() == 1, refused.output()
