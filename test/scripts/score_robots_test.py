@@ -113,7 +113,8 @@ class HandMadeLogTest:
         status, output = score(runner, *command.split()[3:])
         assert status == 0, output
         row = rows_of(runner.path('robots.csv'))[0]
-        assert (row['scenario'], row['robot'], row['success'], row['time_to_reach_goal']) == ('by_hand', 'tug', '1', '2')
+        names = ('scenario', 'robot', 'success', 'time_to_reach_goal')
+        assert [row[name] for name in names] == ['by_hand', 'tug', '1', '2']
         assert float(row['spl']) == pytest.approx(0.95)
         assert float(row['minimum_distance_to_people']) == pytest.approx(math.hypot(1, 0.9) - 0.3)
         assert (float(row['aggregated_time']), float(row['minimum_obstacle_clearance'])) == (2, pytest.approx(0.7))
