@@ -83,8 +83,8 @@ def write_report(output, title, sources, training):
 
 def main(words=None):
     parser = parser_of('report',
-                       'Writes a page with the results of runs, which needs no other file: metrics, robots, comparison, '
-                       'learning curves, paths, separation, speed against density.', EXAMPLES)
+                       'Writes a page with the results of runs, which needs no other file: metrics, robots, '
+                       'comparison, learning curves, paths, separation, speed against density.', EXAMPLES)
     parser.add_argument('files', nargs='*', metavar='[LABEL=]CSV', help='results of `evaluate`, see below')
     parser.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV',
                         help='logs or records of `train`')

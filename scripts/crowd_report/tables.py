@@ -32,7 +32,8 @@ ROBOT_COLUMNS = [('success', 'success [%]', 100, 1), ('spl', 'SPL', 1, 2), ('stl
                  ('minimum_distance_to_people', 'least distance to people [m]', 1, 2),
                  ('minimum_time_to_collision', 'least time to collision [s]', 1, 2),
                  ('space_compliance', 'space compliance', 1, 2),
-                 ('personal_space_intrusions', 'personal space [%]', 1, 1), ('max_acceleration', 'acceleration [m/s²]', 1, 2),
+                 ('personal_space_intrusions', 'personal space [%]', 1, 1),
+                 ('max_acceleration', 'acceleration [m/s²]', 1, 2),
                  ('social_work', 'social work', 1, 2), ('people_delay', "people's delay [s]", 1, 2)]
 OF_ALL = ('arrived', 'touched', 'collided')  # the others are those of people who have arrived, as in the metrics
 

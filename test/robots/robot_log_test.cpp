@@ -177,7 +177,7 @@ void expectSame(const RobotResult& result, const RobotResult& expected) {
 
 TEST(RobotLogProperty, OfAnEpisodeHasTheSameResultsBitForBit) {
   std::uint64_t contacts = 0;
-  forSeeds(40, KeyedRandom::PLACEMENT, [&](std::uint64_t seed, KeyedRandom& random) {
+  forSeeds(12, KeyedRandom::PLACEMENT, [&](std::uint64_t seed, KeyedRandom& random) {
     Episode episode(randomWorld(seed, random), seed, Vision());
     RobotLogRecord record;
     std::string log;
@@ -203,7 +203,7 @@ TEST(RobotLogProperty, OfAnEpisodeHasTheSameResultsBitForBit) {
       contacts += expected[i].contacts;
     }
   });
-  EXPECT_GT(contacts, 20U);
+  EXPECT_GT(contacts, 10U);
 }
 
 TEST(RobotLog, HasTheNamesOfTheScenario) {

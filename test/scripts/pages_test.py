@@ -170,7 +170,8 @@ class ColumnsTest:
     def test_goals_and_ticks_of_robots(self, runner):
         goals, series = runner.path('goals.csv'), runner.path('series')
         scenario = runner.write('short.yaml', WITH_ROBOT)
-        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--robot-goals', goals, '--robot-series', series, scenario)
+        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--robot-goals', goals, '--robot-series', series,
+                    scenario)
         message = re.findall(r'^\w+ (\w+) +# ', read_text(in_package('msg', 'RobotGoalResult.msg')), re.MULTILINE)
         assert columns_of(goals) == ['episode', 'scenario', 'robot', 'goal', *message]
         page = page_text('metrics.md')

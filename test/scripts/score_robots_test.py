@@ -11,7 +11,7 @@ from roslib.packages import find_node
 
 # Of runs with and without robots, and of commands and poses that come by topics.
 NOT_IN_A_LOG = {'people_compared', 'people_delay', 'people_detour'}
-# Two goals, a gate that opens, a wall, an obstacle, a group, people who come from a source and walk to and fro.
+# Two goals, a gate that opens, walls, an obstacle, people who walk to and fro and people who leave.
 SCENE = '''
 name: shop
 duration: 20
@@ -24,10 +24,21 @@ agents:
   - {count: 3, position: {box: [[1, -3], [5, 3]]}, route: rounds, speed: 1.2, radius: 0.25}
   - {count: 2, position: {box: [[1, -3], [5, 3]]}, goal: [-5, 0], speed: 1.2, radius: 0.2}
 routes: {rounds: {repeat: true, waypoints: [{place: [4, -2]}, {place: [-4, 2]}]}}
+gates: {door: {wall: [[0, -1], [0, 1]], open: [[2, 20]]}}
 robots:
   - {name: tug, position: [-4, 0], goals: [[-1, 1], [4, -1]], radius: 0.3, max_speed: 1}
   - {name: cart, position: [-4, -2], max_speed: 0.5, goal: [4, -3],
      footprint: [[-0.3, -0.2], [0.3, -0.2], [0.3, 0.2], [-0.3, 0.2]]}
+'''
+
+# Everybody walks on.
+REPEATING = '''
+name: rounds
+duration: 1
+goal_tolerance: 0.3
+agents:
+  - {count: 3, position: {box: [[1, -3], [5, 3]]}, route: rounds, speed: 1.2, radius: 0.25}
+routes: {rounds: {repeat: true, waypoints: [{place: [4, -2]}, {place: [-4, 2]}]}}
 '''
 
 
@@ -56,7 +67,8 @@ class LogTest:
     """Logs of `evaluate --robot-log`."""
 
     def test_has_the_same_metrics(self, runner, evaluated):
-        status, output = score(runner, evaluated['robot-log'], '--csv', 'a.csv', '--goals', 'b.csv', '--series', 'c.csv')
+        log = evaluated['robot-log']
+        status, output = score(runner, log, '--csv', 'a.csv', '--goals', 'b.csv', '--series', 'c.csv')
         assert status == 0, output
         expected, got = rows_of(evaluated['robots-csv']), rows_of(runner.path('a.csv'))
         assert len(expected) == len(got) == 6
@@ -96,11 +108,13 @@ class HandMadeLogTest:
     def test_the_example_of_the_page(self, runner):
         name = 'by_hand.jsonl'
         runner.write(name, page_examples('metrics.md')[name])
-        command = next(line for line in page_text('metrics.md').splitlines() if line.startswith('    rosrun') and name in line)
+        command = next(line for line in page_text('metrics.md').splitlines()
+                       if line.startswith('    rosrun') and name in line)
         status, output = score(runner, *command.split()[3:])
         assert status == 0, output
         row = rows_of(runner.path('robots.csv'))[0]
-        assert (row['scenario'], row['robot'], row['success'], row['time_to_reach_goal']) == ('by_hand', 'tug', '1', '2')
+        names = ('scenario', 'robot', 'success', 'time_to_reach_goal')
+        assert [row[name] for name in names] == ['by_hand', 'tug', '1', '2']
         assert float(row['spl']) == pytest.approx(0.95)
         assert float(row['minimum_distance_to_people']) == pytest.approx(math.hypot(1, 0.9) - 0.3)
         assert (float(row['aggregated_time']), float(row['minimum_obstacle_clearance'])) == (2, pytest.approx(0.7))
@@ -108,7 +122,8 @@ class HandMadeLogTest:
     @pytest.mark.parametrize('text, message', [
         ('', 'expected a log of robots'),
         ('{"tick": 1}\n', 'line 1: expected a header'),
-        ('{"tick_duration": 1, "robots": [{"radius": 0.3}]}\n{"tick": 0, "robots": []}\n', 'line 2: robots: expected a list of 1'),
+        ('{"tick_duration": 1, "robots": [{"radius": 0.3}]}\n{"tick": 0, "robots": []}\n',
+         'line 2: robots: expected a list of 1'),
         ('{"tick_duration": 1, "robot": []}\n', "robot"),
         ('{"tick_duration": 1\n', 'this is not YAML')])
     def test_errors(self, runner, text, message):
@@ -128,7 +143,7 @@ class SuccessTest:
     """`success%` of evaluate."""
 
     def test_is_a_dash_where_nobody_was_to_arrive(self, runner):
-        scenario = runner.write('rounds.yaml', SCENE.replace('count: 2', 'count: 0').replace('duration: 20', 'duration: 1'))
+        scenario = runner.write('rounds.yaml', REPEATING)
         output = runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--csv', runner.path('m.csv'), scenario)
         row = next(line for line in output.splitlines() if line.startswith('rounds '))
         assert row.split()[2] == '-'
