@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Measures VecEnv: 64 robots, each among 20 people who walk all the time, with 720 rays, in a hall; and Crowd.step() beside
-the same loop in C++. Prints steps of robots per second of the clock and of processor time.
+"""Measures VecEnv: 64 robots, each among 20 people who walk all the time, with 720 rays, in a hall; and Crowd.step()
+beside the same loop in C++. Prints steps of robots per second of the clock, and the processor time of a step.
 """
 import argparse
 import resource
