@@ -1,5 +1,5 @@
-# The library social_crowd_core, which needs no ROS, and what it is built from. The package and the wheel include this file.
-get_filename_component(REPOSITORY ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
+# The library social_crowd_core, which needs no ROS, and what it is built from. The package and the wheel include this file;
+# REPOSITORY is the folder above src.
 
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)

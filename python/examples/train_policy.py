@@ -150,14 +150,16 @@ def plot(rows, baseline, output):
     minutes = [row['minutes'] for row in rows]
     axes[0].plot(minutes, [row['mean_return'] for row in rows], label='mean of the generation')
     axes[0].plot(minutes, [row['best_return'] for row in rows], label='best of the generation')
-    axes[0].set_ylabel('return of training episodes')
+    axes[0].set_ylabel('return')
+    axes[0].set_title('training episodes')
     scored = [row for row in rows if row['clean'] is not None]
     for axis, name, label in zip(axes[1:], ('clean', 'time'), ('arrived without contact [%]', 'time [s]')):
         factor = 100.0 if name == 'clean' else 1.0
         axis.plot([row['minutes'] for row in scored], [factor * row[name] for row in scored], '.-', label='policy')
         axis.axhline(factor * baseline[0 if name == 'clean' else 1], color='grey', linestyle='--',
                      label='reactive rule')
-        axis.set_ylabel(f'{label}, held-out episodes')
+        axis.set_ylabel(label)
+        axis.set_title('held-out episodes')
     axes[1].set_ylim(0, 102)
     for axis in axes:
         axis.set_xlabel('training time [min]')

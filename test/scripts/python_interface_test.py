@@ -184,7 +184,7 @@ class ReturnedValuesTest:
         assert env.env_is_wrapped(object) == [False, False] and env.get_attr('num_envs', [0]) == [2]
 
     def test_pictures(self):
-        env = social_crowd.Env('robot_circle_5', render_mode='rgb_array')
+        env = social_crowd.Env('robot_circle_20', render_mode='rgb_array')
         env.reset(seed=1)
         picture = env.render()
         assert picture.ndim == 3 and picture.shape[2] == 3 and picture.dtype == numpy.uint8
@@ -192,8 +192,8 @@ class ReturnedValuesTest:
         assert middle[0] > 2 * middle[2]  # the robot, which is orange
         env.step((1.0, 0.0))
         assert not numpy.array_equal(env.render(), picture)
-        assert social_crowd.Env('robot_circle_5').render() is None
-        frames = social_crowd.VecEnv('robot_circle_5', 2, render_mode='rgb_array')
+        assert social_crowd.Env('robot_circle_20').render() is None
+        frames = social_crowd.VecEnv('robot_circle_20', 2, render_mode='rgb_array')
         frames.reset(seed=1)
         assert len(frames.render()) == 2
         numpy.testing.assert_array_equal(frames.render()[0], picture)

@@ -11,7 +11,7 @@ import sys
 import sysconfig
 import zipfile
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
 NAME = 'social_crowd'
 DATA = ('config/kinds.yaml', 'config/learning', 'config/maps', 'config/q_tables', 'config/recordings',
         'config/scenarios')
@@ -89,8 +89,8 @@ def metadata():
 def build_module():
     """Builds the C++ module. Returns its files."""
     build = pathlib.Path(os.environ.get('SOCIAL_CROWD_BUILD', REPOSITORY / '.build')) / 'wheel'
-    output = build / 'module'
-    run('cmake', '-S', REPOSITORY / 'src' / 'python', '-B', build, f'-DPYTHON_EXECUTABLE={sys.executable}',
+    output = build / 'installed'
+    run('cmake', '-S', REPOSITORY / 'src' / 'python' / 'wheel', '-B', build, f'-DPYTHON_EXECUTABLE={sys.executable}',
         '-DCMAKE_BUILD_TYPE=Release', '-DBUILD_SHARED_LIBS=OFF', f'-DCMAKE_INSTALL_PREFIX={output}')
     run('cmake', '--build', build, '--parallel', len(os.sched_getaffinity(0)))
     for old in output.glob('*'):
