@@ -24,12 +24,23 @@ EpisodeResult twoRobots() {
 TEST(RobotRecord, HasARowForEachRobot) {
   std::string rows;
   appendRobotRows(7, twoRobots(), rows);
-  EXPECT_EQ(rows.substr(0, 26), "7,hall,a,1,0,0,10,0,nan,na");
-  EXPECT_NE(rows.find("\n7,hall,b,0,0,0,nan,"), std::string::npos);
+  EXPECT_EQ(rows.substr(0, 28), "7,hall,a,1,0,0,0,0,10,0,nan,");
+  EXPECT_NE(rows.find("\n7,hall,b,0,0,0,0,0,nan,"), std::string::npos);
   const std::string header = robotRecordHeader();
   EXPECT_EQ(header.substr(0, 38), "episode,scenario,robot,success,timeout");
   const auto commas = [](const std::string& text) { return std::count(text.begin(), text.end(), ','); };
   EXPECT_EQ(commas(rows), 2 * commas(header));
+}
+
+TEST(RobotRecord, OfGoalsHasARowForEachGoal) {
+  EpisodeResult result = twoRobots();
+  result.robots[1].goals.resize(2);
+  result.robots[1].goals[1].x = 1.5;
+  result.robots[1].goals[1].success = true;
+  std::string rows;
+  appendRobotGoalRows(7, result, rows);
+  EXPECT_EQ(rows, "7,hall,b,0,0,0,0,nan,nan,nan,nan,nan\n7,hall,b,1,1.5,0,1,nan,nan,nan,nan,nan\n");
+  EXPECT_EQ(robotGoalHeader().substr(0, 35), "episode,scenario,robot,goal,x,y,suc");
 }
 
 TEST(RobotSummary, SumsUpTheRobotsOfAllEpisodes) {
