@@ -23,7 +23,7 @@ struct EvaluationOptions {
 /// @brief Means over episodes, as the program `evaluate` prints them; NaN where there is nothing to count.
 struct Means {
   std::uint64_t episodes = 0;
-  double success_percent = 0.0;    ///< agents that arrived, of those that were expected to
+  double success_percent = 0.0;    ///< agents that arrived, of those that were to; NaN if nobody was
   double contact_percent = 0.0;    ///< agents whose bodies overlapped another one or a wall
   double collision_percent = 0.0;  ///< agents that had one within their collision radius (thesis, 4.1)
   double clean_percent = 0.0;      ///< episodes in which all arrived and none was in contact

@@ -8,8 +8,8 @@ from crowd_drawing.files import DEFAULT_TICK
 from crowd_experiments.arguments import add_file, parser_of
 from crowd_experiments.pages import Chapter, write_page
 from crowd_report.figures import draw_paths, draw_separations, draw_speeds, scenario_of
-from crowd_report.tables import (HEADERS, LOG, METRICS, RECORD, TRAJECTORIES, comparison_rows, metrics_rows, of_kind,
-                                 source_of)
+from crowd_report.tables import (HEADERS, LOG, METRICS, RECORD, ROBOTS, TRAJECTORIES, comparison_rows, metrics_rows,
+                                 of_kind, robot_rows, source_of)
 
 EXAMPLES = '''examples:
   for table in anticipation human; do mkdir -p $table
@@ -36,6 +36,11 @@ def chapters_of(sources, training, folder):
                             '(2000 samples with replacement, percentiles). The samples are the means of the runs if a '
                             'label has several, else the means of its episodes.')
         comparison.add_table('Differences', *comparison_rows(records))
+    robots = Chapter('robots', 'Robots')
+    if robot_groups := of_kind(sources, ROBOTS):
+        robots.add_text('Means of the episodes ± half of the 95 % confidence interval (t), without episodes in which a '
+                        'number was not measured. docs/metrics.md defines them.')
+        robots.add_table('Metrics of robots', *robot_rows(robot_groups))
     learning = Chapter('learning', 'Learning curves')
     for kind in dict.fromkeys(source.kind for source in training):  # logs and records have other columns
         runs = [read_run(source.label, source.file) for source in training if source.kind == kind]
@@ -44,7 +49,7 @@ def chapters_of(sources, training, folder):
                             f'Means over {window} episodes and over the runs, with 95 % confidence bands (t).')
     paths, crowding = Chapter('paths', 'Paths'), Chapter('crowding', 'Separation, and speed against density')
     add_walking(paths, crowding, of_kind(sources, TRAJECTORIES), folder)
-    return [chapter for chapter in (metrics, comparison, learning, paths, crowding) if chapter.parts]
+    return [chapter for chapter in (metrics, robots, comparison, learning, paths, crowding) if chapter.parts]
 
 
 def add_walking(paths, crowding, groups, folder):
@@ -78,8 +83,8 @@ def write_report(output, title, sources, training):
 
 def main(words=None):
     parser = parser_of('report',
-                       'Writes a page with the results of runs, which needs no other file: metrics, comparison, '
-                       'learning curves, paths, separation, speed against density.', EXAMPLES)
+                       'Writes a page with the results of runs, which needs no other file: metrics, robots, '
+                       'comparison, learning curves, paths, separation, speed against density.', EXAMPLES)
     parser.add_argument('files', nargs='*', metavar='[LABEL=]CSV', help='results of `evaluate`, see below')
     parser.add_argument('--training', nargs='+', default=[], metavar='[LABEL=]CSV',
                         help='logs or records of `train`')

@@ -10,11 +10,12 @@ from crowd_drawing.files import HEADER
 from crowd_experiments.arguments import labelled
 from crowd_experiments.records import bootstrap_difference, mean_interval, read_csv
 
-METRICS, LOG, RECORD, TRAJECTORIES = 'metrics', 'log', 'record', 'trajectories'
+METRICS, LOG, RECORD, ROBOTS, TRAJECTORIES = 'metrics', 'log', 'record', 'robots', 'trajectories'
 # First columns, by kind; those of a log begin with those of a record.
 HEADERS = {METRICS: ('scenario,instances,success_pct', '`evaluate --csv`'),
            LOG: ('episode,scenario,agents', '`train --log`'),
            RECORD: ('episode,scenario,agent', '`train` or `evaluate --record`'),
+           ROBOTS: ('episode,scenario,robot,success', '`evaluate --robots-csv`'),
            TRAJECTORIES: (','.join(HEADER), '`evaluate --trajectories`')}
 # Column of `evaluate --csv`, title, decimals.
 METRIC_COLUMNS = [('success_pct', 'success [%]', 1), ('contact_pct', 'contact [%]', 1),
@@ -24,6 +25,16 @@ METRIC_COLUMNS = [('success_pct', 'success [%]', 1), ('contact_pct', 'contact [%
 MEASURES = [('arrived', 'success [%]', 100, 1), ('touched', 'contact [%]', 100, 1),
             ('collided', 'collision [%]', 100, 1), ('path_ratio', 'path', 1, 3), ('time_ratio', 'time', 1, 3),
             ('turn_per_metre', 'turning [rad/m]', 1, 2)]
+# Column of a record of robots (docs/metrics.md), title, factor, decimals.
+ROBOT_COLUMNS = [('success', 'success [%]', 100, 1), ('spl', 'SPL', 1, 2), ('stl', 'STL', 1, 2),
+                 ('time_to_reach_goal', 'time [s]', 1, 1), ('failures_to_progress', 'failures to progress', 1, 2),
+                 ('people_contacts', 'contacts: people', 1, 2), ('wall_contacts', 'walls', 1, 2),
+                 ('minimum_distance_to_people', 'least distance to people [m]', 1, 2),
+                 ('minimum_time_to_collision', 'least time to collision [s]', 1, 2),
+                 ('space_compliance', 'space compliance', 1, 2),
+                 ('personal_space_intrusions', 'personal space [%]', 1, 1),
+                 ('max_acceleration', 'acceleration [m/s²]', 1, 2),
+                 ('social_work', 'social work', 1, 2), ('people_delay', "people's delay [s]", 1, 2)]
 OF_ALL = ('arrived', 'touched', 'collided')  # the others are those of people who have arrived, as in the metrics
 
 
@@ -73,6 +84,18 @@ def metrics_rows(groups):
                      for column, _, decimals in METRIC_COLUMNS]
             rows.append([label, scenario, str(len(sources)), *cells])
     return ['', 'scenario', 'runs', *(title for _, title, _ in METRIC_COLUMNS)], rows
+
+
+def robot_rows(groups):
+    """Returns header and rows of the table of robots, with the means over all episodes of a label."""
+    rows = []
+    for label, sources in groups.items():
+        records = pandas.concat(map(columns_of, sources))
+        for (scenario, robot), values in records.groupby(['scenario', 'robot'], sort=False):
+            cells = [metric_cell(factor * values.get(column, pandas.Series(dtype=float)), decimals)
+                     for column, _, factor, decimals in ROBOT_COLUMNS]
+            rows.append([label, scenario, robot, str(len(values)), *cells])
+    return ['', 'scenario', 'robot', 'episodes', *(title for _, title, _, _ in ROBOT_COLUMNS)], rows
 
 
 def metric_cell(values, decimals):

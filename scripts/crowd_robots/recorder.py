@@ -10,13 +10,13 @@ from social_crowd.srv import Reset
 
 PEOPLE = {'people_compared': '0', 'people_delay': 'nan', 'people_detour': 'nan'}  # needs a second run without robots
 LONG = 10.0  # [s] between two warnings
-BEFORE_PEOPLE = 'personal_space_intrusions'
+AFTER_PEOPLE = 'commands_taken'
 
 
 def columns():
     """Returns the names of the columns, which are those of `evaluate --robots-csv`."""
-    fields = [name for name in RobotResult.__slots__ if name != 'robot']
-    place = fields.index(BEFORE_PEOPLE) + 1
+    fields = [name for name in RobotResult.__slots__ if name not in ('robot', 'goals')]
+    place = fields.index(AFTER_PEOPLE)
     return ['episode', 'scenario', 'robot', *fields[:place], *PEOPLE, *fields[place:]]
 
 

@@ -41,6 +41,8 @@ class RankEvaluation {
     if (communicator.rank() == 0) return;
     plan_.record = false;
     plan_.states = false;
+    plan_.robot_series = false;
+    plan_.robot_log = false;
     plan_.scenes.clear();
     plan_.warn = {};
   }

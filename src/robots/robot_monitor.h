@@ -1,54 +1,50 @@
 #pragma once
 
-#include <cstdint>
+#include <string>
 #include <vector>
 
-#include "social_crowd/results.h"
+#include "robots/metrics/robot_sampler.h"
+#include "robots/metrics/robot_track.h"
+#include "scenario/robot_metric_options.h"
+#include "social_crowd/robot_result.h"
 #include "world/world.h"
 
 namespace crowd {
 
-/// @brief Measures the robots of a world tick by tick. The owner calls observe() after each tick.
+/// @brief Measures robots tick by tick (docs/metrics.md): those of a world, or of a log of poses. The owner calls
+/// observe() after each tick. Without robots it does nothing. Not thread-safe.
 class RobotMonitor {
  public:
-  explicit RobotMonitor(const World& world);
+  /// @brief Measures the robots of a world, which is at the start of the scene.
+  RobotMonitor(const Scene& scene, const World& world);
+  /// @brief Measures the robots of a scene at its start.
+  /// @param gates walls of the gates, which are open on shortest ways
+  RobotMonitor(const RobotMetricOptions& options, std::vector<Segment> gates, const ObservedScene& start);
 
-  void observe(const World& world);
+  /// @brief Measures a tick that has just ended; the number of robots does not change.
+  void observe(const World& world) {
+    if (tracks_.empty()) return;
+    scene_.observe(world);
+    observe(scene_);
+  }
+  void observe(const ObservedScene& scene);
+
+  std::size_t size() const { return tracks_.size(); }
+  const std::string& nameOf(RobotId id) const { return tracks_[id].name(); }
+  /// @brief What was measured of a robot in the last tick, or at the start; null if it had arrived before.
+  const RobotSample* sampleOf(RobotId id) const { return measured_[id] ? &tracks_[id].last() : nullptr; }
+  /// @brief The results by robot, without those that need more than one episode, and without `aggregated_time`.
   std::vector<RobotResult> results() const;
 
  private:
-  struct Track {
-    RobotResult result;
-    std::uint64_t ticks = 0;
-    std::uint64_t ticks_with_people = 0;
-    std::uint64_t intimate_ticks = 0;
-    std::uint64_t personal_ticks = 0;  // intimate ones included
-    std::uint64_t contact_ticks = 0;
-    std::uint64_t still_ticks = 0;
-    double straight_length = 0.0;
-    double sum_of_speeds = 0.0;
-    double sum_of_accelerations = 0.0;
-    double sum_of_jerks = 0.0;
-    double sum_of_clearances = 0.0;  // of the nearest person
-    Pose start;
-    Pose pose;
-    Vector2 velocity = Vector2::Zero();
-    Vector2 acceleration = Vector2::Zero();
-    std::vector<Vector2> goals;
-    std::vector<Vector2> recent;  // positions of the last 10 s, in a ring
-    bool at_wall = false;
-    bool at_robot = false;
-  };
+  void begin(const RobotMetricOptions& options, const ObservedScene& start);
+  ShortestWay waysOf(const ObservedScene& scene, const Robot& robot) const;
 
-  void observeMotion(const Robot& robot, Track& track) const;
-  void observePeople(const World& world, const Robot& robot, Track& track) const;
-  void observeContacts(const World& world, const Robot& robot, Track& track);
-  void setGoals(const Robot& robot, Track& track) const;
-  bool isStuck(const Track& track) const;
-
-  double tick_duration_;
-  std::vector<Track> tracks_;
-  std::vector<std::uint32_t> near_walls_;  // scratch
+  std::vector<Segment> gates_;
+  ObservedScene scene_;  // scratch
+  RobotSampler sampler_;
+  std::vector<RobotTrack> tracks_;
+  std::vector<bool> measured_;  // in the last tick
 };
 
 }  // namespace crowd

@@ -15,6 +15,7 @@
 #include "scenario/reaction.h"
 #include "scenario/recorded_people.h"
 #include "scenario/robot.h"
+#include "scenario/robot_metric_options.h"
 
 namespace crowd {
 
@@ -113,6 +114,7 @@ struct Scene {
   std::vector<Obstacle> obstacles;       ///< the recorded people after the others
   std::vector<RecordedPeople> recorded;  ///< where these come from
   std::vector<RobotStart> robots;
+  RobotMetricOptions robot_metrics;
   Ends ends = Ends::ALL;
   Arrived arrived = Arrived::LEAVE;
   std::vector<Segment> walls;  ///< those of the scenario file, then those of the map

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "robots/metrics/aggregated_time.h"
 #include "social_crowd/errors.h"
 
 namespace crowd {
@@ -14,6 +15,17 @@ Scene withFirstGoals(Scene scene, const StopRequest& stop) {
   return scene;
 }
 
+/// When the last person arrived [s]; NaN if somebody who was to arrive did not.
+double timeOfPeople(const AgentResults& agents, double tick_duration) {
+  std::uint64_t last = 0;
+  for (const AgentResult& agent : agents) {
+    if (agent.removed || (agent.endless && !agent.arrived)) continue;
+    if (!agent.arrived) return RobotResult::NONE;
+    last = std::max(last, agent.appeared + agent.ticks);
+  }
+  return static_cast<double>(last) * tick_duration;
+}
+
 }  // namespace
 
 Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, ThreadPool& thread_pool, StopRequest stop)
@@ -22,7 +34,7 @@ Episode::Episode(Scene scene, std::uint64_t number, const Vision& vision, Thread
       vision_(vision),
       thread_pool_(&thread_pool),
       monitor_(scene_, world_),
-      robot_monitor_(world_),
+      robot_monitor_(scene_, world_),
       population_(scene_),
       way_finder_(scene_),
       way_lengths_(scene_),
@@ -109,6 +121,7 @@ bool Episode::isOver() const {
 EpisodeResult Episode::result() const {
   EpisodeResult result = monitor_.result();
   result.robots = robot_monitor_.results();
+  if (!result.robots.empty()) writeAggregatedTime(timeOfPeople(result.agents, world_.tickDuration()), result.robots);
   result.way_finding_problem = way_finding_problem_;
   if (!findsWays()) return result;
   for (const Agent& agent : world_.agents()) {

@@ -67,6 +67,7 @@ class Episode {
   const World& world() const { return world_; }
   const Population& population() const { return population_; }
   const EpisodeMonitor& monitor() const { return monitor_; }
+  const RobotMonitor& robotMonitor() const { return robot_monitor_; }
   EpisodeResult result() const;
 
   /// @brief Number of changes of the world, ticks included.

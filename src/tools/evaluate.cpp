@@ -1,30 +1,25 @@
 // Evaluates a Q-table on scenario files, without ROS.
 
 #include <iostream>
-#include <map>
 #include <optional>
 
 #include "command_line.h"
 #include "common/files/files.h"
-#include "common/files/growing_file.h"
-#include "common/files/result_file.h"
-#include "common/text/numbers.h"
 #include "common/thread_pool.h"
+#include "evaluation_output.h"
 #include "learning/q_table_file.h"
 #include "metrics_table.h"
 #include "progress_bar.h"
 #include "rank_tools.h"
 #include "ranks/distributed_evaluation.h"
 #include "ranks/mpi_communicator.h"
+#include "robot_metric_arguments.h"
 #include "scenario/reading/scenario_files.h"
 #include "scenario/reading/scenario_reader.h"
 #include "simulation/evaluation/evaluation.h"
 #include "simulation/evaluation/metrics.h"
 #include "simulation/evaluation/robot_record.h"
-#include "simulation/evaluation/state_record.h"
-#include "simulation/evaluation/trajectory.h"
 #include "simulation/robot_controller.h"
-#include "training/record.h"
 #include "training/training_config.h"
 
 namespace crowd {
@@ -35,11 +30,7 @@ constexpr std::uint64_t MOST_EPISODES = 1'000'000'000;  // for --first
 struct Arguments {
   std::string q_table;
   std::string config;
-  std::string trajectories;
-  std::string states;
-  std::string csv;
-  std::string record;
-  std::string robots_csv;
+  OutputNames output;
   std::vector<std::string> scenarios;
   EvaluationPlan plan;
 };
@@ -50,65 +41,6 @@ void useModelOf(const std::string& config_file, const std::string& file, Trained
   requireFit(config.model, trained.model, file);
   trained.model = config.model;
 }
-
-std::string robotRows(const EvaluatedEpisode& walked) {
-  std::string rows;
-  appendRobotRows(walked.instance, walked.result, rows);
-  return rows;
-}
-
-std::string recordRows(const EvaluatedEpisode& walked) {
-  std::string rows;
-  appendRecordRows(walked.instance, walked.result, rows);
-  return rows;
-}
-
-[[noreturn]] void throwSameOutput(const std::string& option, const std::string& one, const std::string& other) {
-  throw InputError(option + ": " + one + " and " + other + " would both be written to files called '" + stemOf(one) +
-                   "': rename one, or evaluate them one at a time into different folders");
-}
-
-/// Output files are named after the stems of the scenario files, so all stems must be different.
-void requireOwnOutputs(const std::string& option, const std::vector<std::string>& scenarios) {
-  std::map<std::string, std::string> file_of;
-  for (const std::string& file : scenarios) {
-    const auto [other, is_new] = file_of.emplace(stemOf(file), file);
-    if (!is_new) throwSameOutput(option, other->second, file);
-  }
-}
-
-void requireOwnOutputs(const Arguments& arguments) {
-  if (arguments.plan.record) requireOwnOutputs("--trajectories", arguments.scenarios);
-  if (!arguments.plan.scenes.empty()) requireOwnOutputs("--scenes", arguments.scenarios);
-  if (arguments.plan.states) requireOwnOutputs("--states", arguments.scenarios);
-}
-
-/// Writes the requested files of a scenario, episode by episode.
-class EpisodeWriter {
- public:
-  EpisodeWriter(const Arguments& arguments, const std::string& name) {
-    if (arguments.plan.record) trajectories_.emplace(arguments.trajectories, name);
-    if (arguments.plan.states) {
-      makeFolder(arguments.states);
-      states_.emplace(arguments.states + "/" + name + ".csv", STATE_RECORD_HEADER);
-    }
-    if (arguments.plan.scenes.empty()) return;
-    makeFolder(arguments.plan.scenes);
-    scenes_.emplace(arguments.plan.scenes + "/" + name + ".yaml",
-                    "# Drawn from " + name + ".yaml, one document per instance.\n");
-  }
-
-  void write(const EvaluatedEpisode& walked) {
-    if (trajectories_) trajectories_->append(walked.trajectory);
-    if (states_) states_->append(walked.states);
-    if (scenes_) scenes_->append(walked.scene);
-  }
-
- private:
-  std::optional<TrajectoryFile> trajectories_;
-  std::optional<GrowingFile> states_;
-  std::optional<GrowingFile> scenes_;
-};
 
 /// What there is to warn of: at the start of the first episode that has it, and after all episodes of a scenario.
 struct WayWarnings {
@@ -131,17 +63,10 @@ void printWarnings(const std::string& name, const WayWarnings& ways) {
   }
 }
 
-/// The requested files that hold all scenarios.
-struct Records {
-  std::optional<ResultFile> metrics;
-  std::optional<GrowingFile> agents;
-  std::optional<GrowingFile> robots;
-};
-
 Metrics evaluateFile(Communicator& ranks, const TrainedTable& trained, const Arguments& arguments,
-                     const std::string& name, const ScenarioList& scenarios, Records& records, bool& is_stopped) {
-  std::optional<EpisodeWriter> writer;
-  if (ranks.rank() == 0) writer.emplace(arguments, name);
+                     const std::string& name, const ScenarioList& scenarios, RunOutput& output, bool& is_stopped) {
+  std::optional<ScenarioOutput> own_output;
+  if (ranks.rank() == 0) own_output.emplace(arguments.output, name);
   const std::uint64_t episodes = arguments.plan.episodes > 0 ? arguments.plan.episodes : scenarios.size();
   std::optional<ProgressBar> bar(std::in_place, name, episodes);
   Metrics metrics;
@@ -156,9 +81,8 @@ Metrics evaluateFile(Communicator& ranks, const TrainedTable& trained, const Arg
     std::cerr << name << ": instance " << instance << ", at its start: " << warning << "\n";
   };
   const auto deliver = [&](EvaluatedEpisode& walked) {
-    writer->write(walked);
-    if (records.agents) records.agents->append(recordRows(walked));
-    if (records.robots) records.robots->append(robotRows(walked));
+    own_output->append(walked);
+    output.append(walked);
     robots.add(walked.result);
     metrics.add(walked.result);
     noteWays(walked.result, ways);
@@ -189,35 +113,28 @@ struct Inputs {
 Inputs readInputs(Arguments& arguments) {
   Inputs inputs{loadQTable(arguments.q_table, FileKinds::REGULAR_OR_PIPE), {}};
   if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, inputs.trained);
-  arguments.plan.record = !arguments.trajectories.empty();
-  arguments.plan.states = !arguments.states.empty();
-  if (arguments.plan.states && arguments.states == arguments.trajectories) {
-    throw InputError("--states: expected another folder than that of --trajectories, got '" + arguments.states + "'");
-  }
+  arguments.output.request(arguments.plan);
   // All files are read before the first one is run, so that errors in any of them are reported at once.
   for (std::string& file : arguments.scenarios) {
     file = findScenario(file);
     inputs.scenarios.push_back(readScenarios(file, {}, FileKinds::REGULAR_OR_PIPE));
   }
-  requireOwnOutputs(arguments);
+  arguments.output.requireOwnFiles(arguments.scenarios);
   return inputs;
 }
 
 int evaluateAll(Communicator& ranks, Arguments& arguments) {
   std::optional<Inputs> inputs;
-  Records records;
+  RunOutput output;
   doOnAllRanks(ranks, [&] { inputs = readInputs(arguments); });
   if (ranks.size() > 1) requireSameRun(ranks, inputs->trained, arguments.scenarios, arguments.plan);
   const bool writes = ranks.rank() == 0;
   for (const ScenarioList& scenarios : inputs->scenarios) {
     if (writes) printReadingWarnings("evaluate", scenarios.warnings());
   }
-  const auto open_records = [&] {
-    if (writes && !arguments.csv.empty()) records.metrics.emplace(arguments.csv);
-    if (writes && !arguments.record.empty()) records.agents.emplace(arguments.record, recordHeader());
-    if (writes && !arguments.robots_csv.empty()) records.robots.emplace(arguments.robots_csv, robotRecordHeader());
-  };
-  doOnAllRanks(ranks, open_records);
+  doOnAllRanks(ranks, [&] {
+    if (writes) output.open(arguments.output);
+  });
   catchInterrupts();
   std::string csv = METRICS_CSV_HEADER;
   if (writes) printHeader();
@@ -225,12 +142,12 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
   for (std::size_t i = 0; i < inputs->scenarios.size() && !is_stopped; ++i) {
     const std::string name = stemOf(arguments.scenarios[i]);
     const Metrics metrics =
-        evaluateFile(ranks, inputs->trained, arguments, name, inputs->scenarios[i], records, is_stopped);
+        evaluateFile(ranks, inputs->trained, arguments, name, inputs->scenarios[i], output, is_stopped);
     if (!writes) continue;
     printRow(name, metrics);
     csv += csvRow(name, metrics);
   }
-  if (records.metrics) records.metrics->write(csv);
+  output.writeMetrics(csv);
   return is_stopped ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
@@ -257,14 +174,14 @@ int runMain(int argc, char** argv) {
              "--threads", arguments.plan.threads,
              "number of threads; default: one per processor, with mpirun one per rank; results do not depend on it")
           ->check(CLI::Range(1, 1024));
-  app.add_option("--trajectories", arguments.trajectories,
+  app.add_option("--trajectories", arguments.output.trajectories,
                  "folder for a file NAME.csv (instance,tick,agent,x,y) per scenario file");
-  app.add_option("--scenes", arguments.plan.scenes,
+  app.add_option("--scenes", arguments.output.scenes,
                  "folder for a file NAME.yaml per scenario file with the drawn scenes, one document per instance");
-  app.add_option("--states", arguments.states,
+  app.add_option("--states", arguments.output.states,
                  "folder for a file NAME.csv per scenario file with the row of the Q-table, the action and the "
                  "occupied sectors of every decision");
-  app.add_option("--record", arguments.record, "CSV file for the measures of every agent in every episode");
+  app.add_option("--record", arguments.output.record, "CSV file for the measures of every agent in every episode");
   app.add_option("--robot", arguments.plan.robot_controller,
                  "controller of the robots: none (they stand), straight (to their goals; they ignore people), reactive "
                  "(by their "
@@ -276,15 +193,26 @@ int runMain(int argc, char** argv) {
   app.add_flag("--people-delay", arguments.plan.people_delay,
                "run each episode with robots again without them, and measure the people's delay and detour; episodes "
                "then last until the people have arrived");
-  app.add_option("--robots-csv", arguments.robots_csv, "CSV file for the measures of every robot in every episode");
-  app.add_option("--csv", arguments.csv, "CSV file for the metrics");
+  app.add_option("--robots-csv", arguments.output.robots_csv,
+                 "CSV file for the measures of every robot in every episode");
+  app.add_option("--robot-goals", arguments.output.robot_goals,
+                 "CSV file for the measures of every goal of every robot in every episode");
+  app.add_option("--robot-series", arguments.output.robot_series,
+                 "folder for a file NAME.csv per scenario file with the measures of every robot in every tick");
+  app.add_option(
+      "--robot-log", arguments.output.robot_log,
+      "file for the paths of robots and people, with goals and walls: lines of JSON (docs/metrics.md), which "
+      "score_robots reads");
+  addRobotMetricOptions(app, arguments.plan.robot_metrics);
+  app.add_option("--csv", arguments.output.csv, "CSV file for the metrics");
   app.add_option("SCENARIO", arguments.scenarios, "scenario files, or names of scenarios of the package")->required();
   app.footer(
       std::string(
           "example:\n"
           "  rosrun social_crowd evaluate --q-table config/q_tables/human.txt --episodes 100 --csv metrics.csv circle6 "
           "place_corner\n\n"
-          "success%: agents that arrived; contact%: whose bodies overlapped another one or a wall; collision%: that "
+          "success%: agents that arrived, of those that were to; contact%: whose bodies overlapped another one or a "
+          "wall; collision%: that "
           "had "
           "one within their collision radius; clean%: episodes in which all arrived without contact.\n"
           "CSV files may be devices or pipes that are read from the start, such as /dev/stdout; the file of --csv "

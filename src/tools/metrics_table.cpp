@@ -36,10 +36,11 @@ void printHeader() {
 }
 
 void printRow(const std::string& name, const Metrics& metrics) {
-  std::printf("%-18s %9llu %8.2f %8.2f %10.2f %7.1f %6s %6s %6s %6.2f %7s\n", name.c_str(),
-              static_cast<unsigned long long>(metrics.episodes()), metrics.successPercent(), metrics.contactPercent(),
-              metrics.collisionPercent(), metrics.cleanPercent(), cell(metrics.pathRatio(), 3).c_str(),
-              cell(metrics.timeRatio(), 3).c_str(), cell(metrics.turnPerMetre(), 2).c_str(), metrics.maxSpeedRatio(),
+  std::printf("%-18s %9llu %8s %8.2f %10.2f %7.1f %6s %6s %6s %6.2f %7s\n", name.c_str(),
+              static_cast<unsigned long long>(metrics.episodes()), cell(metrics.successPercent(), 2).c_str(),
+              metrics.contactPercent(), metrics.collisionPercent(), metrics.cleanPercent(),
+              cell(metrics.pathRatio(), 3).c_str(), cell(metrics.timeRatio(), 3).c_str(),
+              cell(metrics.turnPerMetre(), 2).c_str(), metrics.maxSpeedRatio(),
               cell(metrics.blockedMovesPerAgent(), 2).c_str());
   std::fflush(stdout);
 }

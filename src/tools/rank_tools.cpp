@@ -24,6 +24,8 @@ void requireSameRun(Communicator& ranks, const TrainedTable& trained, const std:
                                 {"use of --trajectories", plan.record ? "yes" : "no"},
                                 {"use of --states", plan.states ? "yes" : "no"},
                                 {"controller of the robots", plan.robot_controller},
+                                {"use of --robot-series", plan.robot_series ? "yes" : "no"},
+                                {"use of --robot-log", plan.robot_log ? "yes" : "no"},
                                 {"use of --people-delay", plan.people_delay ? "yes" : "no"}});
 }
 

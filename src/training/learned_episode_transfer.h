@@ -10,7 +10,9 @@ namespace crowd {
 template <typename Archive, typename AResult>
 void transferRobot(Archive& archive, AResult& result) {
   archive(result.name);
-  RobotResult::visitFields([&](const char* /*name*/, auto& value) { archive(value); }, result);
+  const auto transfer = [&](const char* /*name*/, auto& value) { archive(value); };
+  RobotResult::visitFields(transfer, result);
+  transferAll(archive, result.goals, [&](auto& goal) { RobotGoalResult::visitFields(transfer, goal); });
 }
 
 inline void transferAgents(ByteWriter& write, const AgentResults& agents) {

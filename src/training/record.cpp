@@ -26,7 +26,7 @@ double shareOf(std::size_t part, std::size_t whole) {
 
 double successShare(const EpisodeResult& result) {
   const std::size_t expected = result.expectedCount();
-  // As in Metrics::successPercent(), the success is 1 if no agent is expected to arrive.
+  // Curves need a value: the success is 1 if no agent is expected to arrive.
   return expected == 0 && result.agentCount() > 0 ? 1.0 : shareOf(result.arrivedCount(), expected);
 }
 

@@ -4,24 +4,11 @@
 
 #include <cmath>
 
-#include "simulation/episode.h"
-#include "support/robots.h"
+#include "support/robot_episodes.h"
 #include "support/worlds.h"
 
 namespace crowd::robots::robot_monitor_test {
 namespace {
-
-/// An episode in which the first robot gets one command, after a number of ticks.
-Episode after(int ticks, Scene scene, const Twist& command) {
-  Episode episode(std::move(scene), 0, Vision());
-  episode.robots().command(0, command);
-  for (int tick = 0; tick < ticks; ++tick) episode.step({});
-  return episode;
-}
-
-RobotResult resultAfter(int ticks, Scene scene, const Twist& command) {
-  return after(ticks, std::move(scene), command).result().robots.at(0);
-}
 
 TEST(RobotResult, MeasuresTheMotion) {
   // From rest at 1 m/s^2: 0.1, 0.2, ... 1.0 m/s in ticks of 0.1 s.
@@ -38,6 +25,10 @@ TEST(RobotResult, MeasuresTheMotion) {
   EXPECT_NEAR(result.avg_acceleration, 1.0, 1e-9);
   EXPECT_NEAR(result.avg_jerk, 1.0, 1e-9);  // 10 m/s^3 in the first tick, then 0
   EXPECT_NEAR(result.max_jerk, 10.0, 1e-9);
+  EXPECT_NEAR(result.min_speed, 0.1, 1e-12);
+  EXPECT_NEAR(result.min_acceleration, 1.0, 1e-9);
+  EXPECT_NEAR(result.min_jerk, 0.0, 1e-9);
+  EXPECT_EQ(result.avg_angle_to_goal, 0.0);
   EXPECT_TRUE(result.timeout);
   EXPECT_FALSE(result.success);
   EXPECT_FALSE(result.stuck);  // 10 s are not over
@@ -101,6 +92,31 @@ TEST(RobotResult, CountsContactsByCause) {
   EXPECT_EQ(result.mutual_collisions, 0U);
   EXPECT_NEAR(result.contact_time, 1.2, 1e-9);
   EXPECT_FALSE(result.isClean());
+}
+
+TEST(RobotResult, LeavesOutTheAccelerationOfAnImpact) {
+  // From rest at 1 m/s^2; the wall stops it in the tenth tick, at 0.5 m, from 0.9 m/s to 0 in 0.1 s.
+  RobotStart start = robotTo({5.0, 0.0}, {0.0, 0.0});
+  start.limits.max_acceleration = 1.0;
+  const Scene walled = scenes::solid(with({start}, scene({}, {}, {{{0.8, -1.0}, {0.8, 1.0}}})));
+  const RobotResult result = resultAfter(12, walled, {{1.0, 0.0}, 0.0});
+  EXPECT_EQ(result.wall_contacts, 1U);
+  EXPECT_NEAR(result.path_length, 0.5, 1e-6);
+  EXPECT_NEAR(result.max_acceleration, 1.0, 1e-9);
+  EXPECT_NEAR(result.min_acceleration, 1.0, 1e-9);
+  EXPECT_NEAR(result.avg_acceleration, 1.0, 1e-9);
+  EXPECT_NEAR(result.max_jerk, 10.0, 1e-9);  // of the first tick
+}
+
+TEST(RobotResult, HasTheTimeUntilAllHadArrived) {
+  // One person arrives after 0.3 s, the robot after 1 s.
+  const Scene both = with({robotTo({1.05, 0.0}, {0.0, 0.0})}, scene({scenes::agent({0.0, 5.0}, {0.5, 5.0}, 1.0)}));
+  Episode episode(both, 0, Vision());
+  episode.robots().command(0, {{1.0, 0.0}, 0.0});
+  for (int tick = 0; tick < 10; ++tick) episode.step({ahead(0)});
+  EXPECT_NEAR(episode.result().robots[0].aggregated_time, 1.0, 1e-12);
+  const Scene lost = with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({wanderer({0.0, 5.0})}));
+  EXPECT_TRUE(std::isnan(resultAfter(10, lost, {{1.0, 0.0}, 0.0}).aggregated_time));
 }
 
 TEST(RobotResult, CountsContactsOfRobots) {

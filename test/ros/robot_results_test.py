@@ -65,7 +65,7 @@ class RobotResultsTest(RobotTestCase):
 
     def assert_same(self, robot, row):
         """Compares all fields of a message with a row of the CSV file."""
-        for name in RobotResult.__slots__:
+        for name in set(RobotResult.__slots__) - {'goals'}:
             got, expected = getattr(robot, name), row[name]
             if isinstance(got, float):
                 self.assertTrue(got == float(expected) or math.isnan(got) and expected == 'nan',

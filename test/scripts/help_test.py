@@ -13,7 +13,7 @@ SCRIPTS = sorted(file for folder in ('scripts', 'research') for file in pathlib.
 BUILT = [pathlib.Path(tools_folder(), name) for names in
          re.findall(r'^set\((?:NODES|TOOLS) (.*)\)$', read_text(in_package('CMakeLists.txt')), re.MULTILINE)
          for name in names.split()]
-TOOLS = [file for file in BUILT if file.name in ('train', 'evaluate')]
+TOOLS = [file for file in BUILT if file.name in ('train', 'evaluate', 'score_robots')]
 PROGRAMS = [*SCRIPTS, *BUILT]
 NODES = [file for file in BUILT if file not in TOOLS]
 PAGES = ('ros.md', 'rviz.md', 'robots.md')  # with the parameters of the nodes

@@ -135,6 +135,18 @@ def documented_columns(page, title):
     return [name for line in table.splitlines() for name in re.findall(r'`(\w+)`', line.split('|')[1])]
 
 
+def documented_units(page):
+    """Returns {name: unit} of all tables of a page with the columns 'field' and 'unit'."""
+    units = {}
+    for table in re.findall(r'^\| field \| unit \|.*\n\|[-| ]*\n((?:\|.*\n)+)', page, re.MULTILINE):
+        for line in table.splitlines():
+            cell, unit = line.split('|')[1:3]
+            names = re.findall(r'`(\w+)`', cell)
+            each = unit.split(',') if ',' in unit else [unit] * len(names)
+            units.update(zip(names, map(str.strip, each)))
+    return units
+
+
 class ColumnsTest:
     """Columns of CSV files are those of the pages."""
 
@@ -144,10 +156,32 @@ class ColumnsTest:
         runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--robots-csv', file, scenario)
         columns = columns_of(file)
         assert columns[:3] == ['episode', 'scenario', 'robot']
-        message = re.findall(r'^\w+ (\w+) +# ', read_text(in_package('msg', 'RobotResult.msg')), re.MULTILINE)
-        assert ['robot', *(name for name in columns[3:] if not name.startswith('people_'))] == message
-        documented = set(documented_columns(page_text('robot_metrics.md'), 'field'))
-        assert set(columns[3:]) - set(message) <= documented <= set(columns[3:])
+        units = dict(line.split(',') for line in runner.tool('score_robots', '--fields').splitlines()[1:])
+        assert columns[3:] == list(units)
+        lines = re.findall(r'^\w+ (\w+) +# (.*)$', read_text(in_package('msg', 'RobotResult.msg')), re.MULTILINE)
+        delays = ('people_compared', 'people_delay', 'people_detour')  # need a second run
+        assert ['robot', *(name for name in columns[3:] if name not in delays)] == [name for name, _ in lines]
+        for name, meaning in lines[1:]:
+            unit = re.search(r'\[(\S+)\]$', meaning)
+            assert (unit[1] if unit else '') == units[name], f'{name}: {meaning}'
+        documented = documented_units(page_text('metrics.md'))
+        assert documented == units
+
+    def test_goals_and_ticks_of_robots(self, runner):
+        goals, series = runner.path('goals.csv'), runner.path('series')
+        scenario = runner.write('short.yaml', WITH_ROBOT)
+        runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--robot-goals', goals, '--robot-series', series,
+                    scenario)
+        message = re.findall(r'^\w+ (\w+) +# ', read_text(in_package('msg', 'RobotGoalResult.msg')), re.MULTILINE)
+        assert columns_of(goals) == ['episode', 'scenario', 'robot', 'goal', *message]
+        page = page_text('metrics.md')
+        section = page.partition('\n## Goals of a tour\n')[2]
+        assert documented_columns(section, 'column') == message
+        section = page.partition('\n## Each tick\n')[2].partition('\n## ')[0]
+        forces = [line.split('`')[1] for line in page.partition('\n## Forces\n')[2].split('\n## ')[0].splitlines()
+                  if line.startswith('| `')]
+        named = re.findall(r'`(\w+)`', section.partition('Columns are')[2].partition('five forces')[0])
+        assert [*(name for name in named if name != 'nan'), *forces] == columns_of(os.path.join(series, 'short.csv'))
 
     def test_logs_and_records(self, runner):
         config = runner.write('least.yaml', page_examples('learning.md')['least.yaml'])

@@ -13,12 +13,18 @@ import numpy
 import pytest
 from crowd_drawing.errors import InputError
 from crowd_report.figures import scenario_of, scene_of, separations, speed_by_density, speeds_and_densities, tracks_of
-from crowd_report.tables import METRICS, RECORD, comparison_rows, metrics_rows, of_kind, samples, source_of
+from crowd_report.tables import (METRICS, RECORD, ROBOTS, comparison_rows, metrics_rows, of_kind, robot_rows, samples,
+                                 source_of)
 from learning_files import config_text
 from programs import ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, PATIENCE, assert_says, in_package, page_text, read_text
 
 METRICS_FILE = '''scenario,instances,success_pct,contact_pct,collision_pct,path_ratio,time_ratio,turn_rad_per_m
 one,2,%s,0,50,1.25,1.5,2
+'''
+ROBOTS_FILE = '''episode,scenario,robot,success,timeout,spl,time_to_reach_goal,people_contacts
+0,hall,tug,1,0,0.9,20,0
+1,hall,tug,1,0,0.7,22,3
+2,hall,tug,0,1,0,nan,0
 '''
 RECORD_FILE = '''episode,scenario,agent,arrived,touched,path_ratio
 0,one,0,1,0,1.5
@@ -110,6 +116,16 @@ class TableTest:
         assert header[:4] == ['', 'scenario', 'runs', 'success [%]']
         assert rows[0][:5] == ['a', 'one', '3', '95.0 ± 12.4', '0.0 ± 0.0']
         assert rows[1] == ['b', 'one', '1', '80.0', '0.0', '50.0', '1.250', '1.500', '2.00', '-']
+
+    def test_robots(self, runner):
+        """Success 100, 100 and 0: mean 66.7, standard error 33.3, times 4.303. SPL 0.9, 0.7, 0: 0.533, 0.2729. Time of
+        the two that arrived: 21, 1, times 12.71."""
+        groups = self.sources(runner, ROBOTS_FILE.replace('%', '%%'), a=((),))
+        assert list(groups['a'])[0].kind == ROBOTS
+        header, rows = robot_rows(groups)
+        assert header[:7] == ['', 'scenario', 'robot', 'episodes', 'success [%]', 'SPL', 'STL']
+        assert rows == [['a', 'hall', 'tug', '3', '66.7 ± 143.4', '0.53 ± 1.17', '-', '21.0 ± 12.7', '-', '1.00 ± 4.30',
+                         *['-'] * (len(header) - 10)]]
 
     def test_samples(self, runner):
         """Of one file: the episodes. Of several: the files. Values that are not finite are left out."""

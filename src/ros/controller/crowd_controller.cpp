@@ -1,9 +1,11 @@
 #include "ros/controller/crowd_controller.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "common/files/files.h"
+#include "common/text/numbers.h"
 #include "common/text/quotes.h"
 #include "maps/map_walls.h"
 #include "ros/messages/conversions.h"
@@ -72,10 +74,12 @@ void CrowdController::run() {
 
 void CrowdController::linger() {
   if (metrics_.episodes() > 1) {
+    const double percent = metrics_.successPercent();
+    const std::string success = std::isnan(percent) ? "-" : toFixedText(percent, 2);
     ROS_INFO(
-        "%lu episodes: success %.2f %%, contact %.2f %%, collision %.2f %%, clean %.1f %%, path ratio %.3f, time ratio "
+        "%lu episodes: success %s %%, contact %.2f %%, collision %.2f %%, clean %.1f %%, path ratio %.3f, time ratio "
         "%.3f",
-        static_cast<unsigned long>(metrics_.episodes()), metrics_.successPercent(), metrics_.contactPercent(),
+        static_cast<unsigned long>(metrics_.episodes()), success.c_str(), metrics_.contactPercent(),
         metrics_.collisionPercent(), metrics_.cleanPercent(), metrics_.pathRatio(), metrics_.timeRatio());
     if (!robot_summary_.text().empty()) ROS_INFO("all episodes, %s", robot_summary_.text().c_str());
   }

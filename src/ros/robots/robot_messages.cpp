@@ -203,6 +203,9 @@ social_crowd::RobotResult toMessage(const RobotResult& result) {
   const auto copy = [](const char* /*name*/, const auto& value, auto& field) { field = value; };
   RobotResult::visitMeasures(copy, result, message);
   RobotInput::visitFields(copy, result.input, message);
+  for (const RobotGoalResult& goal : result.goals) {
+    RobotGoalResult::visitFields(copy, goal, message.goals.emplace_back());
+  }
   return message;
 }
 

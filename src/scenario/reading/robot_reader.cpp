@@ -21,28 +21,6 @@ bool isName(const std::string& text) {
          std::all_of(text.begin(), text.end(), is_part);
 }
 
-std::string readName(const YamlMap& map, const std::string& key) {
-  std::string name = map.text(key);
-  if (!isName(name)) throwExpected(map.placeOf(key), map.need(key), "letters, digits and _, with a letter first");
-  return name;
-}
-
-void readFootprint(const YamlMap& map, Footprint& footprint) {
-  const YAML::Node corners = map.find("footprint");
-  if (corners && map.has("radius")) {
-    throwProblem(map.placeOf("footprint"), corners, "expected either radius or footprint, got both");
-  }
-  if (!corners) {
-    footprint.radius = map.number("radius", limits::RADIUS);
-    return;
-  }
-  footprint.corners = readList<Vector2>(
-      corners, map.placeOf("footprint"),
-      [](const YAML::Node& corner, const YamlPlace& at) { return readVector(corner, at, limits::OFFSET); });
-  const std::string problem = problemOf(footprint.corners);
-  if (!problem.empty()) throwProblem(map.placeOf("footprint"), corners, problem);
-}
-
 void readDrive(const YamlMap& map, const Units& units, RobotStart& start) {
   start.drive = DRIVES.read(map, Drive::DIFFERENTIAL);
   DriveLimits& limits = start.limits;
@@ -164,9 +142,9 @@ RobotGroup readRobot(const YAML::Node& node, const YamlPlace& place, const Units
   RobotGroup group;
   group.line = lineOf(node);
   RobotStart& start = group.start;
-  start.name = readName(map, "name");
+  start.name = readRobotName(map, "name");
   const bool has_own_names = map.has("namespace") && !map.text("namespace").empty();
-  start.name_space = has_own_names ? readName(map, "namespace") : "";
+  start.name_space = has_own_names ? readRobotName(map, "namespace") : "";
   group.position = readRegion(map.need("position"), map.placeOf("position"));
   if (const YAML::Node heading = map.find("heading")) group.heading = readHeading(heading, map.placeOf("heading"));
   readGoals(map, population, group);
@@ -181,6 +159,28 @@ RobotGroup readRobot(const YAML::Node& node, const YamlPlace& place, const Units
 }
 
 }  // namespace
+
+std::string readRobotName(const YamlMap& map, const std::string& key) {
+  std::string name = map.text(key);
+  if (!isName(name)) throwExpected(map.placeOf(key), map.need(key), "letters, digits and _, with a letter first");
+  return name;
+}
+
+void readFootprint(const YamlMap& map, Footprint& footprint) {
+  const YAML::Node corners = map.find("footprint");
+  if (corners && map.has("radius")) {
+    throwProblem(map.placeOf("footprint"), corners, "expected either radius or footprint, got both");
+  }
+  if (!corners) {
+    footprint.radius = map.number("radius", limits::RADIUS);
+    return;
+  }
+  footprint.corners = readList<Vector2>(
+      corners, map.placeOf("footprint"),
+      [](const YAML::Node& corner, const YamlPlace& at) { return readVector(corner, at, limits::OFFSET); });
+  const std::string problem = problemOf(footprint.corners);
+  if (!problem.empty()) throwProblem(map.placeOf("footprint"), corners, problem);
+}
 
 std::vector<RobotGroup> readRobots(const YamlMap& map, const Units& units, double goal_tolerance,
                                    const PopulationDescription& population) {

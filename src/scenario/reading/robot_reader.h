@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "common/text/yaml_reader.h"
@@ -12,5 +13,11 @@ namespace crowd {
 /// known by name @throws InputError
 std::vector<RobotGroup> readRobots(const YamlMap& map, const Units& units, double goal_tolerance,
                                    const PopulationDescription& population);
+
+/// @brief Reads a name of letters, digits and _. @throws InputError
+std::string readRobotName(const YamlMap& map, const std::string& key);
+
+/// @brief Reads the keys `radius` or `footprint` of a map. @throws InputError unless it has one of them
+void readFootprint(const YamlMap& map, Footprint& footprint);
 
 }  // namespace crowd

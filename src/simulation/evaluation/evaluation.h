@@ -15,13 +15,16 @@ namespace crowd {
 
 /// @brief Settings of an evaluation.
 struct EvaluationPlan {
-  std::uint64_t episodes = 0;  ///< 0: each document of the scenario file once
-  std::uint64_t first = 0;     ///< number of the first episode, so that any one can be repeated alone
-  std::uint64_t seed = 1;      ///< for random placements and random tie-breaking
-  unsigned threads = 1;        ///< results do not depend on it
-  bool record = false;         ///< whether to write trajectories
-  std::string scenes;          ///< folder that the scenes are for (toDocument()); empty: they are not written
-  bool states = false;         ///< whether to write records of states
+  std::uint64_t episodes = 0;        ///< 0: each document of the scenario file once
+  std::uint64_t first = 0;           ///< number of the first episode, so that any one can be repeated alone
+  std::uint64_t seed = 1;            ///< for random placements and random tie-breaking
+  unsigned threads = 1;              ///< results do not depend on it
+  bool record = false;               ///< whether to write trajectories
+  std::string scenes;                ///< folder that the scenes are for (toDocument()); empty: they are not written
+  bool states = false;               ///< whether to write records of states
+  bool robot_series = false;         ///< whether to write time series of robots
+  bool robot_log = false;            ///< whether to write logs of robots
+  RobotMetricOptions robot_metrics;  ///< of all scenes
   std::string robot_controller = "none";  ///< of all robots, see makeRobotController()
   /// Whether each episode with robots is run again without them (measurePeopleDelay()). Then episodes also last until
   /// the people have arrived, whatever the scenario's `ends`.
@@ -39,9 +42,11 @@ struct EvaluationPlan {
 struct EvaluatedEpisode {
   std::uint64_t instance = 0;
   EpisodeResult result;
-  std::string trajectory;  ///< rows for TrajectoryFile, if requested
-  std::string states;      ///< rows below STATE_RECORD_HEADER, if requested
-  std::string scene;       ///< initial scene as a document of a scenario file, if requested
+  std::string trajectory;    ///< rows for TrajectoryFile, if requested
+  std::string states;        ///< rows below STATE_RECORD_HEADER, if requested
+  std::string robot_series;  ///< rows below robotSeriesHeader(), if requested
+  std::string robot_log;     ///< lines of a log of robots, if requested
+  std::string scene;         ///< initial scene as a document of a scenario file, if requested
 };
 
 /// @brief A learner in demo mode with this table, for all agents.

@@ -6,6 +6,8 @@
 
 #include "scenario/writing/scene_document.h"
 #include "simulation/evaluation/people_delay.h"
+#include "simulation/evaluation/robot_log_record.h"
+#include "simulation/evaluation/robot_series.h"
 #include "simulation/evaluation/state_record.h"
 #include "simulation/evaluation/trajectory.h"
 
@@ -28,6 +30,7 @@ Scene withoutRobots(Scene scene) {
 }  // namespace
 
 EvaluatedEpisode InstanceWalk::run(Scene scene, std::uint64_t instance) const {
+  scene.robot_metrics = plan.robot_metrics;
   std::optional<Scene> alone;
   if (plan.people_delay && !scene.robots.empty() && !haveFollowers(scene)) {
     scene.ends = Ends::ALL;
@@ -49,10 +52,14 @@ EvaluatedEpisode InstanceWalk::run(Scene scene, std::uint64_t instance) const {
 EvaluatedEpisode InstanceWalk::walk(Episode& episode) const {
   EvaluatedEpisode walked;
   walked.instance = episode.number();
+  RobotLogRecord log;
   EpisodeObserver observer;
   observer.on_tick = [&](const World& world) {
     if (on_tick) on_tick(world);
     if (plan.record) appendTrajectoryRows(walked.instance, world, walked.trajectory);
+    if (plan.robot_log) log.append(episode, walked.robot_log);
+    if (!plan.robot_series) return;
+    appendRobotSeries(walked.instance, world.tick(), world.time(), episode.robotMonitor(), walked.robot_series);
   };
   if (plan.states) {
     observer.on_turn = [&](const Perceptions& perceptions) {

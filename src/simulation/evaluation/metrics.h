@@ -13,8 +13,8 @@ class Metrics {
   void add(const EpisodeResult& result);
 
   std::uint64_t episodes() const { return episodes_; }
-  /// @brief Share of the expected agents that arrived; 100 if all are on routes that repeat.
-  double successPercent() const { return expected_ == 0 && agents_ > 0 ? 100.0 : percent(arrived_, expected_); }
+  /// @brief Share of the expected agents that arrived; NaN if nobody was to arrive, such as on routes that repeat.
+  double successPercent() const { return meanOf(100.0 * static_cast<double>(arrived_), expected_); }
   double contactPercent() const { return percent(touched_, agents_); }
   double collisionPercent() const { return percent(collided_, agents_); }
   double cleanPercent() const { return percent(clean_, episodes_); }

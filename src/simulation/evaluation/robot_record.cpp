@@ -3,6 +3,7 @@
 #include "common/text/numbers.h"
 
 namespace crowd {
+
 std::string robotRecordHeader() {
   std::string header = "episode,scenario,robot";
   const RobotResult result;
@@ -15,6 +16,24 @@ void appendRobotRows(std::uint64_t episode, const EpisodeResult& result, std::st
     rows += std::to_string(episode) + "," + result.scenario + "," + robot.name;
     RobotResult::visitFields([&](const char* /*name*/, const auto& value) { rows += "," + toField(value); }, robot);
     rows += "\n";
+  }
+}
+
+std::string robotGoalHeader() {
+  std::string header = "episode,scenario,robot,goal";
+  const RobotGoalResult result;
+  RobotGoalResult::visitFields([&](const std::string& name, const auto& /*value*/) { header += "," + name; }, result);
+  return header + "\n";
+}
+
+void appendRobotGoalRows(std::uint64_t episode, const EpisodeResult& result, std::string& rows) {
+  for (const RobotResult& robot : result.robots) {
+    for (std::size_t goal = 0; goal < robot.goals.size(); ++goal) {
+      rows += std::to_string(episode) + "," + result.scenario + "," + robot.name + "," + std::to_string(goal);
+      RobotGoalResult::visitFields([&](const char* /*name*/, const auto& value) { rows += "," + toField(value); },
+                                   robot.goals[goal]);
+      rows += "\n";
+    }
   }
 }
 

@@ -14,6 +14,12 @@ std::string robotRecordHeader();
 /// @brief Appends a row for each robot of an episode.
 void appendRobotRows(std::uint64_t episode, const EpisodeResult& result, std::string& rows);
 
+/// @brief Header of a record of the goals of robots: `episode,scenario,robot,goal`, then the fields of RobotGoalResult.
+std::string robotGoalHeader();
+
+/// @brief Appends a row for each goal of each robot of an episode.
+void appendRobotGoalRows(std::uint64_t episode, const EpisodeResult& result, std::string& rows);
+
 /// @brief Sums up the robots of many episodes in one line, such as "robots: 20 of 20 arrived, 18 clean, ..."; empty if
 /// there were none.
 class RobotSummary {

@@ -1,0 +1,28 @@
+#include "robots/metrics/observed_scene.h"
+
+namespace crowd {
+
+void ObservedScene::observe(const World& world) {
+  tick_duration = world.tickDuration();
+  robots.clear();
+  for (const Robot& robot : world.robots()) robots.push_back({&robot, &robot.contacts});
+  people.clear();
+  for (const Agent& agent : world.agents()) {
+    if (!agent.isPresent()) continue;
+    people.push_back({agent.id, agent.pose.position, agent.pose.heading, agent.velocity, agent.radius, agent.group});
+  }
+  obstacles.clear();
+  for (std::size_t i = 0; i < world.obstacles().size(); ++i) {
+    const Obstacle& obstacle = world.obstacles()[i];
+    if (!world.isPresent(obstacle)) continue;
+    const auto [place, velocity] = obstacle.path.at(world.time());
+    if (obstacle.person) {
+      people.push_back({idOfRecorded(i), place, bearingOf(velocity), velocity, obstacle.radius});
+    } else {
+      obstacles.push_back({place, obstacle.radius, obstacle.path.moves()});
+    }
+  }
+  walls = &world.walls().index();
+}
+
+}  // namespace crowd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace crowd {
+
+/// @brief Least value, mean and greatest value of some numbers; NaN without any.
+class Statistic {
+ public:
+  void add(double value) {
+    least_ = count_ == 0 ? value : std::min(least_, value);
+    greatest_ = count_ == 0 ? value : std::max(greatest_, value);
+    sum_ += value;
+    ++count_;
+  }
+  std::uint64_t count() const { return count_; }
+  double least() const { return least_; }
+  double greatest() const { return greatest_; }
+  double mean() const { return count_ == 0 ? NONE : sum_ / static_cast<double>(count_); }
+
+ private:
+  static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+
+  std::uint64_t count_ = 0;
+  double sum_ = 0.0;
+  double least_ = NONE;
+  double greatest_ = NONE;
+};
+
+}  // namespace crowd

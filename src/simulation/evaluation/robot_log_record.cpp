@@ -1,0 +1,95 @@
+#include "simulation/evaluation/robot_log_record.h"
+
+#include <algorithm>
+
+#include "navigation/walking_floor.h"
+#include "robots/log/robot_log_writing.h"
+
+namespace crowd {
+namespace {
+
+RobotLogHeader headerOf(const Episode& episode, const ObservedScene& observed) {
+  const Scene& scene = episode.scene();
+  RobotLogHeader header;
+  header.scenario = scene.name;
+  header.episode = episode.number();
+  header.map = scene.map_file;
+  header.tick_duration = scene.tick_duration;
+  header.walls = episode.world().walls().list();
+  header.gates = gateWalls(scene);
+  std::copy_if(observed.obstacles.begin(), observed.obstacles.end(), std::back_inserter(header.obstacles),
+               [](const ObservedObstacle& obstacle) { return !obstacle.moves; });
+  header.robots = scene.robots;
+  return header;
+}
+
+/// Keeps a value only if it is not the one that was last written.
+template <typename Value>
+void leaveOutIfSame(std::optional<Value>& written, std::optional<Value>& value) {
+  if (written == value) {
+    value.reset();
+  } else {
+    written = value;
+  }
+}
+
+}  // namespace
+
+void RobotLogRecord::append(const Episode& episode, std::string& text) {
+  const World& world = episode.world();
+  if (world.robots().empty()) return;
+  scene_.observe(world);
+  if (world.tick() == 0) {
+    written_.clear();
+    layout_changes_ = world.layoutChanges();
+    appendLogLine(headerOf(episode, scene_), text);
+  }
+  appendLogLine(tickOf(episode), text);
+}
+
+RobotLogTick RobotLogRecord::tickOf(const Episode& episode) {
+  const World& world = episode.world();
+  RobotLogTick tick;
+  tick.tick = world.tick();
+  for (RobotId id = 0; id < world.robots().size(); ++id) {
+    const Robot& robot = world.robots()[id];
+    LoggedRobot& logged = tick.robots.emplace_back();
+    logged.pose = robot.pose;
+    logged.velocity = robot.velocity;
+    logged.contacts = robot.contacts;
+    const RobotSample* const sample = episode.robotMonitor().sampleOf(id);
+    if (sample != nullptr) logged.impact = sample->impact;
+  }
+  for (const ObservedPerson& person : scene_.people) tick.people.push_back(personOf(episode, person));
+  for (const Agent& agent : world.agents()) {
+    if (agent.hasArrived() && agent.arrival_tick == world.tick()) tick.arrived.push_back(agent.id);
+  }
+  std::copy_if(scene_.obstacles.begin(), scene_.obstacles.end(), std::back_inserter(tick.obstacles),
+               [](const ObservedObstacle& obstacle) { return obstacle.moves; });
+  if (world.layoutChanges() != layout_changes_) tick.walls = world.walls().list();
+  layout_changes_ = world.layoutChanges();
+  return tick;
+}
+
+LoggedPerson RobotLogRecord::personOf(const Episode& episode, const ObservedPerson& observed) {
+  LoggedPerson person;
+  person.id = observed.id;
+  person.position = observed.position;
+  person.heading = observed.heading;
+  person.velocity = observed.velocity;
+  person.radius = observed.radius;
+  if (observed.group != NO_GROUP) person.group = observed.group;
+  const Agent* const agent = episode.world().agents().find(observed.id);
+  if (agent != nullptr) person.goal = agent->goal();
+  // A recorded person is no agent of the episode, which is to arrive.
+  const EpisodeMonitor::Track* const track = episode.monitor().tracks().find(observed.id);
+  if (track == nullptr || track->result.endless) person.endless = true;
+  LoggedPerson& written = written_[observed.id];
+  leaveOutIfSame(written.radius, person.radius);
+  leaveOutIfSame(written.group, person.group);
+  if (written.endless && !person.endless) person.endless = false;
+  leaveOutIfSame(written.endless, person.endless);
+  return person;
+}
+
+}  // namespace crowd

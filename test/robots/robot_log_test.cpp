@@ -1,0 +1,225 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "robots/log/robot_log_reading.h"
+#include "robots/log/robot_log_scoring.h"
+#include "robots/log/robot_log_writing.h"
+#include "simulation/evaluation/robot_log_record.h"
+#include "support/error_of.h"
+#include "support/robot_episodes.h"
+#include "support/robot_logs.h"
+#include "support/seeds.h"
+#include "support/temporary_folder.h"
+
+namespace crowd::robots::robot_log_test {
+namespace {
+
+const std::string HEADER =
+    R"({"tick_duration": 0.5, "robots": [{"radius": 0.3, "max_speed": 1, "goals": [[2, 0]], "goal_tolerance": 0.1}]})"
+    "\n";
+
+/// The result of the first robot of the last episode of a log.
+RobotResult scored(const std::string& log) {
+  const TemporaryFolder folder;
+  RobotResult result;
+  LogScoring scoring;
+  scoring.on_episode = [&](const RobotLogReplay& replay) { result = replay.results().at(0); };
+  scoreRobotLog(folder.write("log.jsonl", log), {}, scoring);
+  return result;
+}
+
+/// The error without the folder's name.
+std::string errorIn(const std::string& log) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("log.jsonl", log);
+  const std::string error = errorOf<InputError>([&] { scoreRobotLog(file, {}, {}); });
+  return error.rfind(file + ": ", 0) == 0 ? error.substr(file.size() + 2) : error;
+}
+
+TEST(RobotLog, MadeByHandIsScored) {
+  // Without spaces, with spaces, with a blank line; a robot of 1 m/s that passes a person at 0.7 m.
+  const RobotResult result = scored(
+      HEADER + R"({"tick":0,"robots":[{"x":0,"y":0,"heading":0}],"people":[{"id":1,"x":1,"y":1,"radius":0.2}]})"
+               "\n\n"
+               R"({"tick": 1, "robots": [{"x": 0.5, "y": 0, "heading": 0}], "people": [{"id": 1, "x": 1, "y": 1}]})"
+               "\n"
+               R"({"tick": 2, "robots": [{"x": 1e0, "y": 0.0, "heading": 0}], "people": [{"id": 1, "x": 1, "y": 1}]})"
+               "\n"
+               R"({"tick": 3, "robots": [{"x": 1.5, "y": 0, "heading": 0}]})"
+               "\n"
+               R"({"tick": 4, "robots": [{"x": 2, "y": 0, "heading": 0}]})");
+  EXPECT_EQ(result.name, "robot");
+  EXPECT_TRUE(result.success);
+  EXPECT_NEAR(result.time_to_reach_goal, 2.0, 1e-12);
+  EXPECT_NEAR(result.path_length, 2.0, 1e-12);
+  EXPECT_NEAR(result.avg_robot_linear_speed, 1.0, 1e-12);
+  EXPECT_NEAR(result.minimum_distance_to_people, 0.7, 1e-12);
+  EXPECT_NEAR(result.minimum_clearance, 0.5, 1e-12);
+  EXPECT_NEAR(result.personal_space_time, 1.0, 1e-12);  // 0.818 m and 0.7 m away
+  EXPECT_NEAR(result.spl, 1.9 / 2.0, 1e-12);
+}
+
+TEST(RobotLog, ContactsAndImpactsOfTheLogCount) {
+  const auto score = [](const std::string& more) {
+    return scored(HEADER + R"({"tick": 5, "robots": [{"x": 0, "y": 0, "heading": 0}]})" + "\n" +
+                  R"({"tick": 6, "robots": [{"x": 0.5, "y": 0, "heading": 0)" + more + "}]}\n");
+  };
+  EXPECT_NEAR(score("").max_acceleration, 2.0, 1e-12);
+  EXPECT_EQ(score(R"(, "impact": true)").max_acceleration, 0.0);
+  EXPECT_EQ(score(R"(, "contacts": [{"person": 4, "cause": "person"}])").person_on_robot_collisions, 1U);
+  EXPECT_EQ(score(R"(, "contacts": [{"person": 4, "cause": "robot", "begins": false}])").contacts, 0U);
+  EXPECT_NEAR(score(R"(, "vx": 3, "vy": 4)").max_speed, 5.0, 1e-12);
+}
+
+TEST(RobotLog, WithoutTheKeyABeginningContactIsAnImpact) {
+  const std::string header = R"({"tick_duration": 1, "walls": [[1.3, -1, 1.3, 1]], "robots": [{"radius": 0.3}]})";
+  const std::string ticks =
+      "\n"
+      R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0}]})"
+      "\n"
+      R"({"tick": 1, "robots": [{"x": 0.1, "y": 0, "heading": 0}]})"
+      "\n"
+      R"({"tick": 2, "robots": [{"x": 1, "y": 0, "heading": 0, "vx": 0, "vy": 0}]})"
+      "\n"
+      R"({"tick": 3, "robots": [{"x": 1, "y": 0, "heading": 0}]})";
+  const RobotResult result = scored(header + ticks);
+  EXPECT_EQ(result.wall_contacts, 1U);
+  EXPECT_NEAR(result.max_acceleration, 0.1, 1e-12);  // from 0 to 0.1 m/s, then an impact, then it stands
+}
+
+TEST(RobotLog, ErrorsSayWhereAndWhatIsExpected) {
+  const std::string tick = R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0}]})";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"", "expected a log of robots, got no header with the key 'tick_duration'"},
+      {HEADER, "expected ticks behind each header, got a header without any"},
+      {tick, "line 1: expected a header with the key 'tick_duration' before the first tick"},
+      {"[1]", "line 1: expected an object, {...}, got a list of 1"},
+      {"{\"a\": 1}", "line 1: expected a header with the key 'tick_duration', or a tick with the key 'tick'"},
+      {HEADER + tick + "\n" + "{\"tick\": 2, \"robots\": []}",
+       "line 3: tick: expected 1, as ticks follow each other, got '2'"},
+      {HEADER + "\n{\"tick\": 0, \"robots\": []}",
+       "line 3: robots: expected a list of 1, as in the header, got a list of 0"},
+      {HEADER + R"({"tick": 0, "robots": [{"x": 0, "y": 0}]})", "line 2: robots[0]: the key 'heading' is missing"},
+      {HEADER + R"({"tick": 0, "robots": [{"x": "a", "y": 0, "heading": 0}]})",
+       "line 2: robots[0].x: expected a number, got the text 'a'"},
+      {HEADER + R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heding": 0}]})", "heding"},
+      {HEADER + R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0, "vx": 1}]})",
+       "line 2: robots[0]: the key 'vy' is missing"},
+      {HEADER +
+           R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0}], "people": [{"id": 1, "x": 0, "y": 0}, {"id": 1, "x": 1, "y": 0}]})",
+       "line 2: people: there are two people 1"},
+      {HEADER + tick + "\n" + R"({"tick": 1, "robots": [{"x": 9999, "y": 0, "heading": 0}]})",
+       "line 3: robots[0]: velocity [m/s]: expected"},
+      {HEADER + tick + "\n{\"tick\": 1, ", "this is not YAML"},
+      {"{\"tick_duration\": 0, \"robots\": []}", "line 1: tick_duration: expected a number above 0, got '0'"},
+      {"{\"tick_duration\": 1, \"robots\": []}", "line 1: robots: expected at least one robot"},
+      {R"({"tick_duration": 1, "robots": [{"radius": 1, "goals": [[0, 0]]}]})",
+       "line 1: robots[0]: the key 'goal_tolerance' is missing"},
+      {R"({"tick_duration": 1, "walls": [[0, 0, 1]], "robots": [{"radius": 1}]})",
+       "line 1: walls[0]: expected [x1, y1, x2, y2], got a list of 3"},
+      {R"({"tick_duration": 1, "obstacles": [[0, 0, 0]], "robots": [{"radius": 1}]})",
+       "line 1: obstacles[0]: expected a radius above 0, got 0"},
+  };
+  for (const auto& [log, expected] : cases)
+    EXPECT_TRUE(contains(errorIn(log), expected)) << errorIn(log) << "\n" << log;
+}
+
+TEST(RobotLog, ErrorsBehindManyLinesHaveTheirLine) {
+  std::string log = HEADER;
+  for (int tick = 0; tick < 200; ++tick) {
+    log += "{\"tick\": " + std::to_string(tick) + R"(, "robots": [{"x": 0, "y": 0, "heading": 0}]})" + "\n";
+  }
+  EXPECT_EQ(scored(log).stalled_time, 199 * 0.5);
+  EXPECT_TRUE(contains(errorIn(log + "{\"tick\": 7}\n"), "line 202: tick: expected 200"));
+}
+
+/// A robot of any shape and drive among people, some in groups, with walls and obstacles; in half of the worlds solid.
+Scene randomWorld(std::uint64_t seed, KeyedRandom& random) {
+  Scene made = scenes::randomScene(seed, 20, 5.0);
+  made.contact = random.below(2) == 0 ? Contact::SOLID : Contact::GHOST;
+  for (AgentStart& start : made.agents) start.group = random.below(3) == 0 ? random.below(3) : NO_GROUP;
+  for (std::size_t i = 0; i < 2; ++i) {
+    RobotStart start = robot(scenes::randomPoint(random, 5.0), random.uniform(-PI, PI));
+    start.name = "robot_" + std::to_string(i);
+    start.limits = {random.uniform(0.5, 1.5), 1.0, random.uniform(0.5, 5.0), 5.0, 0.0};
+    start.drive = random.below(2) == 0 ? Drive::HOLONOMIC : Drive::DIFFERENTIAL;
+    if (random.below(2) == 0) start.footprint.corners = {{-0.4, -0.2}, {0.4, -0.2}, {0.4, 0.2}, {-0.4, 0.2}};
+    for (std::uint32_t goals = random.below(3); goals > 0; --goals) {
+      start.goals.push_back(start.position + scenes::randomPoint(random, 1.5));
+    }
+    start.goal_tolerance = 0.4;
+    made.robots.push_back(start);
+  }
+  return made;
+}
+
+void expectSame(const RobotResult& result, const RobotResult& expected) {
+  std::vector<double> numbers;
+  RobotResult::visitMeasures(
+      [&](const char* /*name*/, const auto& value) { numbers.push_back(static_cast<double>(value)); }, expected);
+  std::size_t next = 0;
+  const auto compare = [&](const char* name, const auto& value) {
+    const double wanted = numbers[next++];
+    const auto got = static_cast<double>(value);
+    EXPECT_TRUE(got == wanted || (std::isnan(got) && std::isnan(wanted)))
+        << name << ": " << got << ", expected " << wanted;
+  };
+  RobotResult::visitMeasures(compare, result);
+  ASSERT_EQ(result.goals.size(), expected.goals.size());
+  for (std::size_t i = 0; i < result.goals.size(); ++i) {
+    EXPECT_EQ(result.goals[i].success, expected.goals[i].success);
+    EXPECT_TRUE(result.goals[i].path_length == expected.goals[i].path_length ||
+                std::isnan(expected.goals[i].path_length));
+  }
+}
+
+TEST(RobotLogProperty, OfAnEpisodeHasTheSameResultsBitForBit) {
+  std::uint64_t contacts = 0;
+  forSeeds(12, KeyedRandom::PLACEMENT, [&](std::uint64_t seed, KeyedRandom& random) {
+    Episode episode(randomWorld(seed, random), seed, Vision());
+    RobotLogRecord record;
+    std::string log;
+    record.append(episode, log);
+    for (int tick = 0; tick < 60; ++tick) {
+      for (RobotId id = 0; id < 2; ++id) {
+        const Vector2 linear(random.uniform(-0.2, 1.5), random.uniform(-0.5, 0.5));
+        episode.robots().command(id, {linear, random.uniform(-1.0, 1.0)});
+      }
+      episode.step(scenes::randomActions(episode.world(), random));
+      record.append(episode, log);
+    }
+    std::vector<RobotResult> results;
+    LogScoring scoring;
+    scoring.on_episode = [&](const RobotLogReplay& replay) { results = replay.results(); };
+    const TemporaryFolder folder;
+    scoreRobotLog(folder.write("log.jsonl", log), {}, scoring);
+    const std::vector<RobotResult> expected = episode.result().robots;
+    ASSERT_EQ(results.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      expectSame(results[i], expected[i]);
+      EXPECT_EQ(results[i].name, expected[i].name);
+      contacts += expected[i].contacts;
+    }
+  });
+  EXPECT_GT(contacts, 10U);
+}
+
+TEST(RobotLog, HasTheNamesOfTheScenario) {
+  Scene made = with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({}));
+  made.name = "a \"hall\"\\\n";
+  Episode episode(made, 7, Vision());
+  std::string log;
+  RobotLogRecord().append(episode, log);
+  const TemporaryFolder folder;
+  RobotLogHeader read;
+  readRobotLog(
+      folder.write("log.jsonl", log), [&](RobotLogHeader& header) { read = header; }, [](RobotLogTick&) {});
+  EXPECT_EQ(read.scenario, made.name);
+  EXPECT_EQ(read.episode, 7U);
+  EXPECT_EQ(read.robots.at(0).goals.size(), 1U);
+}
+
+}  // namespace
+}  // namespace crowd::robots::robot_log_test
