@@ -11,7 +11,6 @@ namespace {
 
 constexpr double MARGIN = 0.1;               // around the robot [m]
 constexpr int HEADINGS = 72;                 // every 5 degrees
-constexpr double SLOW_DOWN_DISTANCE = 1.0;   // from the goal [m]
 constexpr double LEAST_SPEED_SHARE = 0.1;    // near the goal
 constexpr double LONGEST_FREE_LENGTH = 3.0;  // longer ones are not better [m]
 

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 
+#include "robots/steering.h"
+
 namespace crowd {
-namespace {
-
-constexpr double SLOW_DOWN_DISTANCE = 1.0;  // from the goal [m]
-
-}  // namespace
 
 const Perceptions& RobotPerceiver::perceive(const World& world, const Vision& vision, RobotId id, const Vector2& goal) {
   const Vector2 point = finds_ways_ ? way_.next(world, world.robots()[id], goal) : goal;

@@ -4,6 +4,9 @@
 
 namespace crowd {
 
+/// @brief Distance from its goal below which a robot drives more slowly [m].
+inline constexpr double SLOW_DOWN_DISTANCE = 1.0;
+
 /// @brief The command of a robot that is to move in a direction.
 ///
 /// HOLONOMIC: the velocity in that direction, without a rotation. DIFFERENTIAL: it turns at 2 rad/s per rad of the
