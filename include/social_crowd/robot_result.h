@@ -140,6 +140,7 @@ struct RobotResult {
   double group_personal_space_intrusions = NONE;  ///< [%]
   double group_social_space_intrusions = NONE;    ///< [%]
   std::uint64_t group_intrusions = 0;             ///< times that it came between the members of a group
+  double people_density = NONE;                   ///< mean number of people / walkable area [1/m^2]
   double avg_pedestrian_velocity = NONE;          ///< mean speed of people [m/s]
   double avg_closest_pedestrian_velocity = NONE;  ///< mean speed of the nearest person [m/s]
   double social_force_on_robot = 0.0;             ///< sums over the ticks, as the next four [m/s^2]
@@ -219,6 +220,7 @@ struct RobotResult {
     visit(MetricName{"group_personal_space_intrusions", "%"}, results.group_personal_space_intrusions...);
     visit(MetricName{"group_social_space_intrusions", "%"}, results.group_social_space_intrusions...);
     visit(MetricName{"group_intrusions"}, results.group_intrusions...);
+    visit(MetricName{"people_density", "1/m^2"}, results.people_density...);
     visit(MetricName{"avg_pedestrian_velocity", "m/s"}, results.avg_pedestrian_velocity...);
     visit(MetricName{"avg_closest_pedestrian_velocity", "m/s"}, results.avg_closest_pedestrian_velocity...);
     visit(MetricName{"social_force_on_robot", "m/s^2"}, results.social_force_on_robot...);

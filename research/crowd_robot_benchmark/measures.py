@@ -21,7 +21,8 @@ NEEDED = ['episode', 'scenario', 'robot', 'success', 'time_to_reach_goal', *CAUS
 # Of `evaluate --people-delay` only: a run through ROS has no run without robots to compare with.
 PEOPLE = {'people_compared': 0.0, 'people_delay': math.nan, 'people_detour': math.nan}
 DENSITY = 'people_density'  # [1/m2]; of records that have it
-HEADER = ['success', 'success without contact', 'contacts: robot on person, person on robot, mutual', 'time [s]',
+SPL = 'spl'  # the same
+HEADER = ['success', 'success without contact', 'SPL', 'contacts: robot on person, person on robot, mutual', 'time [s]',
           'personal space [s]', "people's delay [s]", 'detour [m]']
 
 
@@ -48,6 +49,7 @@ class Summary(typing.NamedTuple):
     arrived: int
     clean: int  # arrived without a contact with people
     touched: int  # episodes with a contact
+    spl: float  # mean success weighted by path length
     contacts: tuple  # by CAUSES
     time: float  # mean of the episodes in which it arrived [s]
     clean_time: float  # mean of those without a contact [s]
@@ -63,12 +65,13 @@ class Summary(typing.NamedTuple):
         of_people = [float(numpy.average(known[column], weights=known['people_compared'])) if len(known) else math.nan
                      for column in ('people_delay', 'people_detour')]
         return cls(len(record), int(success.sum()), int((success & ~touched).sum()), int(touched.sum()),
-                   tuple(record[CAUSES].sum().astype(int)), time[success].mean(), time[success & ~touched].mean(),
+                   record[SPL].mean() if SPL in record else math.nan, tuple(record[CAUSES].sum().astype(int)),
+                   time[success].mean(), time[success & ~touched].mean(),
                    record['personal_space_time'].mean(), *of_people)
 
     def cells(self):
         return [share_text(self.arrived, self.episodes), share_text(self.clean, self.episodes),
-                ', '.join(map(str, self.contacts)), number_text(self.time, 1),
+                number_text(self.spl, 2), ', '.join(map(str, self.contacts)), number_text(self.time, 1),
                 number_text(self.personal_space_time, 1), number_text(self.people_delay, 2),
                 number_text(self.people_detour, 2)]
 

@@ -65,10 +65,10 @@ def frame_duration(settings):
     return max(unit, unit * round(1000 / settings.fps / unit))
 
 
-def frame_times(settings, tracks):
-    """Returns the simulated times of the frames [s], up to the end of the last of the Tracks."""
+def frame_times(settings, tracks, robots=()):
+    """Returns the simulated times of the frames [s], up to the end of the last Track."""
     step = frame_duration(settings) / 1000 * settings.speed
-    end = min(settings.start + settings.duration, max(track.times[-1] for track in tracks))
+    end = min(settings.start + settings.duration, max(track.times[-1] for track in [*tracks.values(), *robots]))
     if end < settings.start:
         raise InputError(f'--start: the recording ends at {end:g} s, got {settings.start:g}')
     frames = int((end - settings.start) / step + 1e-9) + 1
@@ -80,7 +80,7 @@ def frame_times(settings, tracks):
 
 def make(settings, scene, tracks):
     """Makes a film, again and smaller if it is larger than `max_megabytes`. Returns width, height, number of frames."""
-    times = frame_times(settings, [*tracks.values(), *(robot['track'] for robot in scene.robots if 'track' in robot)])
+    times = frame_times(settings, tracks, [robot['track'] for robot in scene.robots if 'track' in robot])
     size = settings.size
     with replaced(settings.output) as part:
         while True:

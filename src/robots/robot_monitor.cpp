@@ -24,7 +24,9 @@ void RobotMonitor::begin(const RobotMetricOptions& options, const ObservedScene&
     const Robot& robot = *start.robots[id].robot;
     RobotTrack& track = tracks_.emplace_back(options, start.tick_duration, robot, sampler_.measureStart(start, id));
     if (robot.hasGoal()) track.setGoals(robot, waysOf(start, robot));
+    areas_.emplace_back(start, gates_, robot.pose.position);
   }
+  notePlaces(start);
   measured_.assign(tracks_.size(), true);
 }
 
@@ -40,15 +42,27 @@ void RobotMonitor::observe(const ObservedScene& scene) {
     if (robot.goals != track.goals()) track.setGoals(robot, waysOf(scene, robot));
     measured_[id] = !track.hasArrived();
     if (track.hasArrived()) continue;
-    if (!std::exchange(has_begun, true)) sampler_.begin(scene);
+    if (!std::exchange(has_begun, true)) {
+      sampler_.begin(scene);
+      notePlaces(scene);
+    }
     track.add(scene.robots[id], sampler_.measure(scene, id, track.last(), track.nextGoal()));
   }
+}
+
+void RobotMonitor::notePlaces(const ObservedScene& scene) {
+  for (const ObservedRobot& observed : scene.robots) used_.extend(observed.robot->pose.position);
+  for (const ObservedPerson& person : scene.people) used_.extend(person.position);
 }
 
 std::vector<RobotResult> RobotMonitor::results() const {
   std::vector<RobotResult> results;
   results.reserve(tracks_.size());
-  for (const RobotTrack& track : tracks_) results.push_back(track.result());
+  for (RobotId id = 0; id < tracks_.size(); ++id) {
+    RobotResult& result = results.emplace_back(tracks_[id].result());
+    const double area = areas_[id].size(used_);
+    if (area > 0.0) result.people_density = tracks_[id].meanPeople() / area;
+  }
   return results;
 }
 

@@ -5,6 +5,7 @@
 
 #include "robots/metrics/robot_sampler.h"
 #include "robots/metrics/robot_track.h"
+#include "robots/metrics/walkable_area.h"
 #include "scenario/robot_metric_options.h"
 #include "social_crowd/robot_result.h"
 #include "world/world.h"
@@ -39,12 +40,16 @@ class RobotMonitor {
  private:
   void begin(const RobotMetricOptions& options, const ObservedScene& start);
   ShortestWay waysOf(const ObservedScene& scene, const Robot& robot) const;
+  /// Notes where people and robots are.
+  void notePlaces(const ObservedScene& scene);
 
   std::vector<Segment> gates_;
   ObservedScene scene_;  // scratch
   RobotSampler sampler_;
   std::vector<RobotTrack> tracks_;
-  std::vector<bool> measured_;  // in the last tick
+  std::vector<bool> measured_;       // in the last tick
+  std::vector<WalkableArea> areas_;  // by robot: the floor around its start
+  Eigen::AlignedBox2d used_;         // contains all places so far where people and robots were [m]
 };
 
 }  // namespace crowd

@@ -4,8 +4,8 @@
 
 namespace crowd {
 
-/// @brief Distance to the goal within which robots slow down [m].
-constexpr double SLOW_DOWN_DISTANCE = 1.0;
+/// @brief Distance from its goal below which a robot drives more slowly [m].
+inline constexpr double SLOW_DOWN_DISTANCE = 1.0;
 
 /// @brief The command of a robot that is to move in a direction.
 ///

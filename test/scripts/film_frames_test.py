@@ -158,11 +158,11 @@ class TimeTest:
     def test_times(self):
         tracks = {0: track_of([(0, 0, 0), (40, 4, 0)], 0.1)}
         settings = Settings(pathlib.Path('film.webp'), '', start=1, duration=2, speed=2, fps=10)
-        assert frame_times(settings, tracks.values()) == pytest.approx([1 + 0.2 * i for i in range(11)])
+        assert frame_times(settings, tracks) == pytest.approx([1 + 0.2 * i for i in range(11)])
 
     def test_frames_of_a_gif_last_hundredths_of_a_second(self):
         """15 frames a second are shown for 70 ms each, and so far apart that the speed is as given."""
         tracks = {0: track_of([(0, 0, 0), (40, 4, 0)], 0.1)}
-        times = frame_times(Settings(pathlib.Path('film.gif'), '', speed=2, fps=15), tracks.values())
+        times = frame_times(Settings(pathlib.Path('film.gif'), '', speed=2, fps=15), tracks)
         assert times[1] == pytest.approx(0.14)
         assert times[-1] <= 4 < times[-1] + 0.14

@@ -95,8 +95,8 @@ class TablesTest:
         record = read_record(record_file(tmp_path))
         summary, single, crowdnav = chapter_of({'tug': record}, ('robot_door', 'robot_queue'),
                                                {('tug', VISIBLE): record}).tables()
-        assert summary.rows == [['tug', '2 x 1-3', '3 (30-95 %)', '2 (15-85 %)', '1, 1, 1', '14.7', '3.0', '0.50',
-                                 '1.00']]
+        assert summary.rows == [['tug', '2 x 1-3', '3 (30-95 %)', '2 (15-85 %)', '-', '1, 1, 1', '14.7', '3.0',
+                                 '0.50', '1.00']]
         assert single.header == ['scene', 'people per m²', 'tug']
         assert single.rows == [['robot_door', '-', '2 / 1'], ['robot_queue', '-', '1 / 1']]
         # CrowdNav's success is without a contact, and so is the mean time.

@@ -74,7 +74,7 @@ class PictureTest:
 
     def test_a_film_shows_the_robot_where_it_is(self, runner):
         scene, tracks, _ = read_shown(runner.write('log.jsonl', LOG))
-        times = frame_times(Settings(pathlib.Path('a.gif'), 'hall', speed=0.5, fps=1), tracks.values())
+        times = frame_times(Settings(pathlib.Path('a.gif'), 'hall', speed=0.5, fps=1), tracks)
         assert times == [0.0, 0.5]  # until person 7 leaves
         stage = Stage(scene, tracks, 'hall', 600)
         painter = FramePainter(stage, scene, tracks)

@@ -1,5 +1,7 @@
 #include "robots/metrics/observed_scene.h"
 
+#include "navigation/walking_floor.h"
+
 namespace crowd {
 
 void ObservedScene::observe(const World& world) {
@@ -23,6 +25,16 @@ void ObservedScene::observe(const World& world) {
     }
   }
   walls = &world.walls().index();
+}
+
+FloorPlan floorOf(const ObservedScene& scene, const std::vector<Segment>& gates) {
+  FloorPlan floor;
+  floor.walls = scene.walls->walls();
+  openGates(gates, floor);
+  for (const ObservedObstacle& obstacle : scene.obstacles) {
+    if (!obstacle.moves) floor.obstacles.push_back({obstacle.position, obstacle.radius});
+  }
+  return floor;
 }
 
 }  // namespace crowd

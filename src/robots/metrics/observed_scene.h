@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/wall_index.h"
+#include "maps/floor_plan.h"
 #include "world/world.h"
 
 namespace crowd {
@@ -47,5 +48,9 @@ struct ObservedScene {
   /// @brief Takes over the present state of a world, to which the scene points until the world changes.
   void observe(const World& world);
 };
+
+/// @brief Walls and obstacles at rest, with all gates open. @param gates walls of the gates, whether they are closed or
+/// not
+FloorPlan floorOf(const ObservedScene& scene, const std::vector<Segment>& gates);
 
 }  // namespace crowd

@@ -29,6 +29,9 @@ class RobotTrack {
   bool hasArrived() const { return success_; }
   /// @brief Of the last tick; at first that of the start.
   const RobotSample& last() const { return last_; }
+  /// @brief Mean number of people over the ticks; NaN without ticks.
+  double meanPeople() const;
+  /// @brief Everything but the density of people, for which it does not know the floor.
   RobotResult result() const;
 
  private:

@@ -115,6 +115,10 @@ void RobotTrack::writePeople(RobotResult& result) const {
   result.obstacle_force_on_agents = obstacle_force_on_people_;
 }
 
+double RobotTrack::meanPeople() const {
+  return ticks_ > 0 ? static_cast<double>(people_) / static_cast<double>(ticks_) : RobotResult::NONE;
+}
+
 RobotGoalResult RobotTrack::resultOf(std::size_t goal) const {
   RobotGoalResult result;
   result.x = goals_[goal].x();

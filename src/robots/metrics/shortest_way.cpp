@@ -31,12 +31,7 @@ double turnOn(const Vector2& from, const std::vector<Vector2>& corners, double& 
 }  // namespace
 
 ShortestWay::ShortestWay(const ObservedScene& scene, const std::vector<Segment>& gates, const Footprint& footprint)
-    : outer_radius_(footprint.reach()), inner_radius_(innerRadius(footprint)) {
-  floor_.walls = scene.walls->walls();
-  openGates(gates, floor_);
-  for (const ObservedObstacle& obstacle : scene.obstacles) {
-    if (!obstacle.moves) floor_.obstacles.push_back({obstacle.position, obstacle.radius});
-  }
+    : floor_(floorOf(scene, gates)), outer_radius_(footprint.reach()), inner_radius_(innerRadius(footprint)) {
   floor_.bounds = FloorPlan::Bounds{Vector2::Constant(INFINITE), Vector2::Constant(-INFINITE)};
   for (const Segment& wall : floor_.walls) {
     includePoint(wall.from, *floor_.bounds);
