@@ -51,6 +51,8 @@ struct Neighbour {
   Vector2 velocity;     ///< over ground, in the last tick [m/s]
   double radius = 0.0;  ///< [m]
   NeighbourKind kind = NeighbourKind::AGENT;
+  double comfort = 0.0;  ///< of a robot: distance that people keep from it where there is room [m]
+  Vector2 wanted;        ///< of a robot: velocity at which it will go on [m/s]
 };
 
 /// @brief What one agent perceives at the start of a tick.

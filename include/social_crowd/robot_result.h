@@ -18,6 +18,8 @@ struct MetricName {
 
 /// @brief Commands and poses that a robot got from elsewhere in an episode. Headless controllers count none of them.
 struct RobotInput {
+  /// Of the nodes that drive it: running, crashed (in this episode or before); none: nothing is known of them.
+  std::string navigation = "none";
   std::uint64_t commands_taken = 0;    ///< commands that were executed
   std::uint64_t commands_missed = 0;   ///< commands that did not come in time
   std::uint64_t commands_late = 0;     ///< commands that came after the end of the wait for them; they are taken, too
@@ -33,6 +35,7 @@ struct RobotInput {
   /// for the field of all.
   template <typename Visit, typename... Inputs>
   static void visitFields(const Visit& visit, Inputs&... inputs) {
+    visit(MetricName{"navigation"}, inputs.navigation...);
     visit(MetricName{"commands_taken"}, inputs.commands_taken...);
     visit(MetricName{"commands_missed"}, inputs.commands_missed...);
     visit(MetricName{"commands_late"}, inputs.commands_late...);

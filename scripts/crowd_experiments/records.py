@@ -6,7 +6,7 @@ import math
 import numpy
 from crowd_drawing.errors import InputError, complete_lines, ended_lines
 
-TEXTS = ('scenario', 'robot')
+TEXTS = ('scenario', 'robot', 'navigation')
 LEVEL = 0.95
 RESAMPLES = 2000
 

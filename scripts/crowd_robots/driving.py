@@ -15,8 +15,9 @@ from crowd_experiments.records import read_csv
 from crowd_experiments.runs import RunError
 from crowd_launching.program import Program, free_port
 
-# Robots that are driven through ROS, and their arguments of move_base.launch.
-DRIVEN = {'move_base': {}, 'move_base_people': {'people_layer': True}}
+# Robots that are driven through ROS, and their arguments of robot_lab.launch.
+DRIVEN = {'move_base': {'navigation': 'move_base'},
+          'move_base_people': {'navigation': 'move_base', 'people_layer': True}}
 # Scenes that are driven if none is named.
 SCENES = ('robot_frontal', 'robot_overtaking', 'robot_corridor_against', 'robot_crossing', 'robot_intersection',
           'robot_blind_corner', 'robot_door', 'robot_obstruction', 'robot_crowd_10', 'robot_circle_20')
@@ -25,7 +26,7 @@ EXAMPLES = '''examples:
   scripts/drive_robots --config my_move_base --robots-csv mine.csv     your configuration in ten scenes
   scripts/drive_robots --robot move_base --episodes 5 --robots-csv /tmp/robots.csv robot_hall
 
-It starts a ROS master of its own and move_base.launch, as fast as possible, for one scenario after the other. The first
+It starts a ROS master of its own and robot_lab.launch, as fast as possible, for one scenario after the other. The first
 episode is restarted when move_base has sent its first command. move_base and its planners have to be in the ROS
 environment; for move_base_people the package has to be built where costmap_2d is.
 
@@ -33,25 +34,13 @@ FOLDER of --config has the files of config/move_base, with your parameters. FILE
 episodes are recorded, and the results are printed.'''
 
 
-def launch_arguments(scenario, robot):
-    """Returns the arguments of move_base.launch for a scenario file and a robot of DRIVEN."""
+def require_robots(scenario):
+    """Checks that a scenario file has robots, before it is started. Returns their number."""
     document = (read_documents(scenario) or [None])[0]
     robots = document.get('robots') if isinstance(document, dict) else None
-    if not robots:
+    if not isinstance(robots, list) or not robots:
         raise RunError(f'{scenario}: expected a scenario with robots')
-    if not isinstance(robots, list) or any(not isinstance(entry, dict) or 'radius' not in entry for entry in robots):
-        raise RunError(f'{scenario}: robots: expected the key radius for each robot')
-    for number, entry in enumerate(robots):
-        if len(robots) > 1 and not (entry.get('namespace') or entry.get('name')):
-            raise RunError(f'{scenario}: robots[{number}]: expected a name or a namespace, as there are several robots')
-    return {
-        'scenario': scenario.absolute(),
-        'map': 'map' in document,
-        'robots': ' '.join(entry.get('namespace') or (entry['name'] if len(robots) > 1 else '') for entry in robots),
-        'radius': max(entry['radius'] for entry in robots),
-        'goal_tolerance': document.get('goal_tolerance', 0.3),
-        'command_period': document.get('tick', 0.1),
-        **DRIVEN[robot]}
+    return len(robots)
 
 
 def main(words=None):
@@ -75,11 +64,12 @@ def main(words=None):
         common['config'] = folder_of_parameters(arguments.config)
     if arguments.q_table:
         common['q_table'] = arguments.q_table.absolute()
-    settings = [{**launch_arguments(file, arguments.robot), **common} for file in files]
+    counts = [require_robots(file) for file in files]
+    settings = [{'scenario': file.absolute(), **DRIVEN[arguments.robot], **common} for file in files]
     if not shutil.which('roslaunch') or subprocess.run(['rospack', 'find', 'move_base'], stdout=subprocess.DEVNULL,
                                                        stderr=subprocess.DEVNULL, check=False).returncode != 0:
         raise RunError('move_base is not in the ROS environment; source the setup file of its workspace')
-    return drive(settings, arguments.robots_csv.absolute())
+    return drive(settings, counts, arguments.robots_csv.absolute())
 
 
 def folder_of_parameters(folder):
@@ -88,15 +78,15 @@ def folder_of_parameters(folder):
     return folder.absolute()
 
 
-def drive(settings, record):
-    """Drives one scenario after the other, given the arguments of their launches; an earlier record stays until the new
-    one is complete. Returns the exit status."""
+def drive(settings, counts, record):
+    """Drives one scenario after the other, given the arguments of their launches and the numbers of their robots; an
+    earlier record stays until the new one is complete. Returns the exit status."""
     part, finished = (record.with_name(f'.{record.name}.{end}') for end in ('part', 'finished'))
     finished.unlink(missing_ok=True)
     os.environ.update(ROS_MASTER_URI=f'http://127.0.0.1:{free_port()}', ROS_HOSTNAME='127.0.0.1')
-    for number, arguments in enumerate(settings):
+    for number, (arguments, robots) in enumerate(zip(settings, counts)):
         part.unlink(missing_ok=True)
-        launched = Program(['roslaunch', 'social_crowd', 'move_base.launch',
+        launched = Program(['roslaunch', 'social_crowd', 'robot_lab.launch',
                             *(f'{name}:={str(value).lower() if isinstance(value, bool) else value}'
                               for name, value in {**arguments, 'robots_csv': part}.items())])
         status = launched.wait()
@@ -107,7 +97,7 @@ def drive(settings, record):
             print(f'drive_robots: {what}{kept}', file=sys.stderr)
             return EXIT_INTERRUPTED if launched.is_stopped else status
         count = len(read_csv(part)['episode'])
-        expected = arguments['episodes'] * len(arguments['robots'].split() or [''])
+        expected = arguments['episodes'] * robots
         if count != expected:
             raise RunError(f'{part}: expected {expected} rows, got {count}; see the messages above')
         with open(finished, 'a', encoding='utf-8') as stream:

@@ -26,7 +26,9 @@ def row_of(result, robot):
 
 
 def text_of(value):
-    """Returns a number that is read as the same number; 1 and 0 for True and False."""
+    """Returns a number that is read as the same number; 1 and 0 for True and False; a text as it is."""
+    if isinstance(value, str):
+        return value
     return repr(value) if isinstance(value, float) else str(int(value))
 
 
@@ -56,9 +58,10 @@ class Recorder:
         self.file.flush()
 
     def note_commands(self, states):
-        """Notes the number of the episode, and whether all robots were commanded in it."""
+        """Notes the number of the episode, and whether all robots were commanded in it, or will never be."""
         self.episode = states.episode
-        self.waiting = [robot.name for robot in states.robots if robot.commands_taken == 0]
+        self.waiting = [robot.name for robot in states.robots if robot.commands_taken == 0
+                        and robot.navigation != 'crashed']
         if not self.waiting:
             self.is_driven.set()
             if self.first is not None:

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "avoidance/braking_rule.h"
+#include "avoidance/comfort.h"
 #include "avoidance/escape_planner.h"
 #include "avoidance/move_limit.h"
 #include "avoidance/near_agents.h"
@@ -158,6 +159,7 @@ void SeparationRule::cutAmongAgents(const PerceptionBatch& batch, MoveBlock* mov
 void SeparationRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count) const {
   cutToGaps(perception, moves, count);
   if (!perception.neighbours.hasObstacles() || sharing_ == GapSharing::NONE) return;
+  cutToComfort(perception, moves, count);
   if (lookout_ > 0.0) replaceUnsafe(perception, moves, count);
   keepOutOfReach(perception, moves, count);
 }

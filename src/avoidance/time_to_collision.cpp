@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "avoidance/comfort.h"
 #include "simd/kernels.h"
 
 namespace crowd {
@@ -172,6 +173,8 @@ void accumulateTimeToCollision(const Perception& seen, const Vector2& preferred,
     for (const Neighbour& neighbour : neighbours) {
       if (neighbour.kind == NeighbourKind::AGENT) {
         agents.add(neighbour.position, neighbour.velocity, neighbour.radius);
+      } else if (isRobot(neighbour.kind) && neighbour.intent.comfort > 0.0) {
+        static_bodies.add(neighbour.position, neighbour.intent.wanted, neighbour.radius + keptComfort(seen, neighbour));
       } else {
         static_bodies.add(neighbour.position, neighbour.velocity, neighbour.radius);
       }

@@ -76,7 +76,8 @@ struct CandidateVelocities {
 };
 
 /// @brief Updates the times to collision of the candidates with all neighbours and walls of a perception, in single
-/// precision.
+/// precision. Robots with a comfort (RobotIntent) count as larger by it, as far as that leaves a part of the room
+/// behind the agent, and as if they went on at the velocity that they want.
 /// @param preferred the velocity straight to the goal at maximum speed, agent frame [m/s]
 /// @param personal_space by which other agents count as larger, as far as that leaves a part of the gap to the nearest
 /// one [m]

@@ -47,6 +47,12 @@ Pose drivePose(const Pose& pose, const Twist& twist, double time) {
   return {pose.position + chord, wrapAngle(pose.heading + 2.0 * half)};
 }
 
+Twist twistBetween(const Pose& from, const Pose& to, double time) {
+  const double half = 0.5 * wrapAngle(to.heading - from.heading);
+  const Vector2 chord = Rotation(from.heading + half).intoFrame(to.position - from.position);
+  return {chord / (sinc(half) * time), 2.0 * half / time};
+}
+
 double deviation(const DriveLimits& limits, double tick_duration) {
   const double by_limits =
       tick_duration * tick_duration * (limits.max_acceleration + 0.5 * limits.max_speed * limits.max_rotation);

@@ -37,6 +37,10 @@ Twist limitTwist(Drive drive, const DriveLimits& limits, const Twist& last, cons
 /// @brief The pose after a time at a constant twist: on an arc. @param pose in any frame @param time [s]
 Pose drivePose(const Pose& pose, const Twist& twist, double time);
 
+/// @brief The constant twist that leads from one pose to another in a time, with a turn of less than half a turn: the
+/// inverse of drivePose(). @param time above 0 [s]
+Twist twistBetween(const Pose& from, const Pose& to, double time);
+
 /// @brief Upper bound of the distance between the position of a robot within its limits at the end of a tick, and the
 /// position that its velocity at the start of the tick leads to [m]. At earlier times of the tick the bound is the same
 /// share of it. @param tick_duration [s]

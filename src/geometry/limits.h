@@ -41,6 +41,7 @@ constexpr std::size_t BODIES = 10'000'000;
 /// Each has sensors of its own.
 constexpr std::size_t ROBOTS = 1000;
 constexpr std::int64_t RAYS = 100'000;  ///< of a laser scanner
+constexpr std::int64_t RINGS = 256;     ///< of a laser scanner
 /// Relative errors, and errors in radians per metre, of a robot's odometry.
 constexpr NumberLimit ODOMETRY_ERROR{NumberRule::NOT_NEGATIVE, 10.0, ""};
 

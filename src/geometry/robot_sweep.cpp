@@ -47,7 +47,7 @@ RobotSweep::RobotSweep(const Footprint& footprint, const Pose& from, const Pose&
       turn_(wrapAngle(to.heading - from.heading)) {}
 
 Pose RobotSweep::at(double share) const {
-  const double time = std::min(share, stopped_at_);
+  const double time = std::max(0.0, std::min(share, stopped_at_) - since_);
   if (is_straight_) return {start_.position + time * way_, start_.heading + time * turn_};
   return drivePose(start_, twist_, time * tick_duration_);
 }
@@ -57,6 +57,30 @@ double RobotSweep::pointSpeed(double from) const {
   const double reach = footprint_->isDisc() ? 0.0 : footprint_->reach();  // a disc does not move by turning
   if (is_straight_) return way_.norm() + std::abs(turn_) * reach;
   return (twist_.linear.norm() + std::abs(twist_.rotation) * reach) * tick_duration_;
+}
+
+double RobotSweep::slidingSpeed(const WallSliding& sliding) const {
+  const double rotation = std::max(std::abs(twist_.rotation), sliding.max_rotation);
+  const double turned = footprint_->isDisc() ? 0.0 : 2.0 * rotation * footprint_->reach();  // also by the margin
+  return (twist_.linear.norm() + turned * (1.0 + rotation * tick_duration_)) * tick_duration_;
+}
+
+BodyMotion RobotSweep::motionAt(double share) const {
+  const bool has_stopped = stopped_at_ < 1.0 && stopped_at_ <= share;
+  if (has_stopped || tick_duration_ <= 0.0) return {};
+  if (is_straight_) return {way_ / tick_duration_, turn_ / tick_duration_};
+  return {Rotation(at(share).heading).outOfFrame(twist_.linear), twist_.rotation};
+}
+
+void RobotSweep::slideAt(double share, const std::vector<WallContact>& contacts, const WallSliding& sliding) {
+  const double rest = (1.0 - share) * tick_duration_;
+  const BodyMotion motion = slideAlongWalls(*footprint_, contacts, motionAt(share), sliding, rest);
+  start_ = at(share);
+  since_ = share;
+  is_straight_ = true;
+  way_ = tick_duration_ * motion.velocity;
+  turn_ = tick_duration_ * motion.rotation;
+  has_slid_ = true;
 }
 
 void RobotSweep::stopAt(double share) { stopped_at_ = std::min(stopped_at_, share); }

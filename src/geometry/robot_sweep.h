@@ -2,11 +2,12 @@
 
 #include "geometry/drive.h"
 #include "geometry/footprint.h"
+#include "geometry/wall_sliding.h"
 
 namespace crowd {
 
 /// @brief The motion of a robot's footprint in one tick: on an arc, or straight with a constant change of heading.
-/// Times are shares of the tick.
+/// Times are shares of the tick. After slideAt() only times from then on are valid.
 class RobotSweep {
  public:
   /// @brief A motion at a constant twist. @param footprint must outlive it @param tick_duration [s]
@@ -19,10 +20,19 @@ class RobotSweep {
   Pose at(double share) const;
   /// @brief Upper bound of the displacement of any point of the footprint in a whole tick, from a time on [m].
   double pointSpeed(double from = 0.0) const;
+  /// @brief The same if it may slide along walls.
+  double slidingSpeed(const WallSliding& sliding) const;
   /// @brief Ends the motion at a time: the robot stands from then on.
   void stopAt(double share);
   /// @brief Time at which it was stopped; 1 if it was not.
   double stoppedAt() const { return stopped_at_; }
+  /// @brief Replaces the motion at a time by that along walls which it touches, see slideAlongWalls(). It must have
+  /// been made from a twist.
+  void slideAt(double share, const std::vector<WallContact>& contacts, const WallSliding& sliding);
+  /// @brief Whether walls have changed the motion.
+  bool hasSlid() const { return has_slid_; }
+  /// @brief The motion at a time.
+  BodyMotion motionAt(double share) const;
 
  private:
   const Footprint* footprint_;
@@ -32,6 +42,8 @@ class RobotSweep {
   bool is_straight_ = false;
   Vector2 way_ = Vector2::Zero();  // of a straight motion [m]
   double turn_ = 0.0;              // of a straight motion [rad]
+  double since_ = 0.0;             // time of the start
+  bool has_slid_ = false;
   double stopped_at_ = 1.0;
 };
 

@@ -34,8 +34,7 @@ const std::vector<SolidMotion::Outcome>& SolidMotion::move(const std::vector<Dis
   walls_ = nullptr;
   outcomes_.clear();
   for (const Body& body : bodies_) {
-    const double stopped_at = body.isRobot() ? sweeps_[body.sweep].stoppedAt() : 1.0;
-    outcomes_.push_back({body.at(1.0), body.touched, body.changes > 0, stopped_at, body.history});
+    outcomes_.push_back({body.at(1.0), body.touched, body.changes > 0, body.history});
   }
   return outcomes_;
 }
@@ -54,6 +53,8 @@ void SolidMotion::begin(const std::vector<Disc>& discs) {
     body.radius = disc.radius;
     body.is_agent = disc.is_agent;
     body.speed = disc.sweep ? disc.sweep->pointSpeed() : disc.way.norm();
+    body.sliding = disc.sliding;
+    if (disc.sliding) body.speed = disc.sweep->slidingSpeed(*disc.sliding);
     if (disc.sweep) {
       body.way.setZero();
       body.sweep = static_cast<Index>(sweeps_.size());
@@ -148,7 +149,7 @@ double SolidMotion::takeNext() {
 void SolidMotion::judge(const Impact& impact) {
   Body& body = bodies_[impact.agent];
   body.touched = true;
-  if (impact.other == WALL) return stop(impact.agent);
+  if (impact.other == WALL) return meetWall(impact.agent);
   Body& other = bodies_[impact.other];
   if (body.isRobot() || other.isRobot()) return judgeRobot(impact);
   const Vector2 ahead = (other.at(impact.time) - body.at(impact.time)).normalized();
@@ -170,6 +171,27 @@ void SolidMotion::judge(const Impact& impact) {
 void SolidMotion::stop(Index agent) {
   if (!bodies_[agent].judged) judged_.push_back(agent);
   bodies_[agent].judged = true;
+  bodies_[agent].stops = true;
+}
+
+void SolidMotion::meetWall(Index agent) {
+  Body& body = bodies_[agent];
+  const bool stops = body.stops;
+  stop(agent);
+  body.stops = stops || !body.sliding || ++body.slides == MAX_SLIDES;
+}
+
+void SolidMotion::slide(Body& body, double now) {
+  constexpr double TOUCH = 1e-7;  // [m]
+  RobotSweep& sweep = sweeps_[body.sweep];
+  const Pose pose = sweep.at(now);
+  near_walls_.clear();
+  contacts_.clear();
+  walls_->findNear(pose.position, sweep.footprint().reach() + TOUCH, near_walls_);
+  for (const std::uint32_t wall : near_walls_) {
+    addContacts(sweep.footprint(), pose, walls_->walls()[wall], TOUCH, contacts_);
+  }
+  sweep.slideAt(now, contacts_, *body.sliding);
 }
 
 void SolidMotion::record(Body& body) const {
@@ -184,7 +206,8 @@ void SolidMotion::settle(double now) {
   instant_ = now;
   for (const Index agent : judged_) {
     Body& body = bodies_[agent];
-    if (body.isRobot()) sweeps_[body.sweep].stopAt(now);
+    if (body.isRobot()) body.stops ? sweeps_[body.sweep].stopAt(now) : slide(body, now);
+    body.stops = false;
     body.position = body.at(now);
     body.since = now;
     body.way = body.pushes == 1 && !body.pushed ? body.push : Vector2::Zero();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/neighbour_grid.h"
@@ -18,8 +19,9 @@ namespace crowd {
 ///   hit, but does not itself move towards the other, continues;
 /// - an obstacle never yields: it pushes an agent that it hits, with the component of its velocity towards the agent. A
 ///   pushed agent stops at the next thing it touches; the obstacle then passes over it;
-/// - a robot follows the rules of agents, but is not pushed and pushes nobody. One that cannot be stopped
-///   (`is_agent` is false) passes over everything; agents that walk into it stop.
+/// - a robot follows the rules of agents, but is not pushed and pushes nobody. One that may slide goes on along the
+///   walls that it drives into, as slideAlongWalls() says, and stops at its MAX_SLIDES-th wall in a tick. One that
+///   cannot be stopped (`is_agent` is false) passes over everything; agents that walk into it stop.
 ///
 /// Hence agents that do not overlap other agents, walls or static obstacles never will (beyond TOUCH_TOLERANCE).
 class SolidMotion {
@@ -33,13 +35,14 @@ class SolidMotion {
     /// Motion of a robot, which must outlive the call; `way` is not used then, and `radius` is that of the smallest
     /// disc about its position that contains it. Null: a disc.
     const RobotSweep* sweep = nullptr;
+    std::optional<WallSliding> sliding = std::nullopt;  ///< of a robot that slides along walls; else it stops there
   };
+  static constexpr int MAX_SLIDES = 8;
   /// @brief The resulting state of a body.
   struct Outcome {
     Vector2 position = Vector2::Zero();  ///< at the end of the tick [m]
     bool touched = false;                ///< it took part in an impact
     bool diverted = false;               ///< its motion was changed by an impact
-    double stopped_at = 1.0;             ///< of a robot: share of the tick at which it was stopped
     /// Checksum of the changes of its motion, with their times: equal for equal motions, also in another set of bodies.
     std::uint64_t history = 0;
   };
@@ -53,6 +56,8 @@ class SolidMotion {
   const std::vector<Outcome>& move(const std::vector<Disc>& discs, const WallIndex& walls);
   /// @brief The outcomes of the last call of move().
   std::vector<Outcome>& outcomes() { return outcomes_; }
+  /// @brief The motions of the robots after all impacts, in their order; valid until the next call of move().
+  const std::vector<RobotSweep>& sweeps() const { return sweeps_; }
   /// @brief Common impacts of discs and robots in the last call; a pair may be repeated.
   const std::vector<Touch>& touches() const { return touches_; }
 
@@ -76,6 +81,9 @@ class SolidMotion {
     double speed = 0.0;  // upper bound of the displacement of its points in a whole tick
     std::uint64_t history = 0;
     Index sweep = NO_SWEEP;  // index of its motion, if it is a robot
+    std::optional<WallSliding> sliding;
+    int slides = 0;      // along walls so far
+    bool stops = false;  // an impact of this instant stops it
 
     bool isRobot() const { return sweep != NO_SWEEP; }
     Vector2 at(double time) const { return position + (time - since) * way; }
@@ -109,6 +117,8 @@ class SolidMotion {
   double takeNext();
   void judge(const Impact& impact);
   void stop(Index agent);
+  void meetWall(Index agent);
+  void slide(Body& body, double now);
   void settle(double now);
 
   /// Adds the change of a body's way to its history.
@@ -123,6 +133,7 @@ class SolidMotion {
   std::vector<Index> neighbours_;          // bodies that each agent may meet in this tick, agent by agent
   std::vector<std::size_t> first_;         // index of the first neighbour of each body
   std::vector<std::uint32_t> near_walls_;  // scratch
+  std::vector<WallContact> contacts_;      // scratch
   std::vector<Impact> impacts_;            // heap, the earliest in front
   std::vector<Impact> simultaneous_;       // impacts of one instant
   std::vector<Index> judged_;              // bodies whose way these change

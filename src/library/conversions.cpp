@@ -47,8 +47,9 @@ void copyInto(Perception& to, const crowd::Perception& from) {
   to.held = self.held;
   to.neighbours.clear();
   for (const crowd::Neighbour& other : from.neighbours) {
-    to.neighbours.push_back(
-        {toPublic(other.position), toPublic(other.velocity), other.radius, static_cast<NeighbourKind>(other.kind)});
+    to.neighbours.push_back({toPublic(other.position), toPublic(other.velocity), other.radius,
+                             static_cast<NeighbourKind>(other.kind), other.intent.comfort,
+                             toPublic(other.intent.wanted)});
   }
   to.walls.clear();
   for (const Segment& wall : from.walls) to.walls.push_back(toPublic(wall));
@@ -68,6 +69,8 @@ void requireValid(const crowd::Perception& seen) {
     requireFinite(whose + "position of a neighbour", other.position);
     requireFinite(whose + "velocity of a neighbour", other.velocity);
     requireFinite(whose + "radius of a neighbour", other.radius);
+    requireFinite(whose + "comfort of a neighbour", other.intent.comfort);
+    requireFinite(whose + "wanted velocity of a neighbour", other.intent.wanted);
     constexpr double ROUNDING = 1e-6;  // [m]; the order holds up to rounding, see StateSet
     if (rimDistance(other) < last - ROUNDING) {
       throw InputError(whose + "expected the neighbours in the order of the distance to their rims, nearest first");
@@ -150,8 +153,11 @@ void fromPublic(const Perceptions& from, crowd::Perceptions& to) {
     self.first_wall = static_cast<std::uint32_t>(to.walls.size());
     self.wall_count = static_cast<std::uint32_t>(seen.walls.size());
     for (const Neighbour& other : seen.neighbours) {
-      to.neighbours.push_back({fromPublic(other.position), fromPublic(other.velocity), other.radius,
-                               static_cast<crowd::NeighbourKind>(other.kind)});
+      to.neighbours.push_back({fromPublic(other.position),
+                               fromPublic(other.velocity),
+                               other.radius,
+                               static_cast<crowd::NeighbourKind>(other.kind),
+                               {other.comfort, fromPublic(other.wanted)}});
     }
     for (const Wall& wall : seen.walls) to.walls.push_back(fromPublic(wall));
     to.agents.push_back(self);

@@ -70,6 +70,9 @@ class Population {
   std::size_t memberCount() const { return members_.size(); }
   const Queue& queue(std::size_t index) const { return queues_[index]; }
 
+  /// @brief A robot is about to be removed; those after it get smaller ids.
+  void forgetRobot(RobotId robot, World& world) { reactions_.forgetRobot(robot, world); }
+
  private:
   /// An agent on a route, or one that has not reacted yet.
   struct Member {

@@ -200,6 +200,18 @@ bool RobotReactions::isReacting(AgentId id) const {
   return found != people_.end() && found->phase == Phase::REACTING;
 }
 
+void RobotReactions::forgetRobot(RobotId robot, World& world) {
+  for (Person& person : people_) {
+    if (person.phase == Phase::UNAWARE) continue;
+    if (person.robot == robot) {
+      if (world.isActive(person.id)) finish(person, Phase::UNAWARE, world);
+      person.phase = Phase::UNAWARE;
+    } else if (person.robot > robot) {
+      --person.robot;
+    }
+  }
+}
+
 void RobotReactions::leave(AgentId id, bool for_good, World& world) {
   const auto found = people_.begin() + std::distance(people_.cbegin(), find(id));
   if (found == people_.end()) return;

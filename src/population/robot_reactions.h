@@ -37,6 +37,8 @@ class RobotReactions {
   void update(World& world, const FreedomOf& freedom_of, const std::function<void(AgentId)>& begins);
   /// @brief Whether an agent reacts now.
   bool isReacting(AgentId id) const;
+  /// @brief A robot is about to be removed: reactions to it end; those after it get smaller ids.
+  void forgetRobot(RobotId robot, World& world);
   /// @brief Ends what an agent does now. Call it before its goals change. @param for_good it does not react any more
   void leave(AgentId id, bool for_good, World& world);
 

@@ -33,7 +33,6 @@ std::optional<CommandRefusal> RobotCommands::causeOf(const Record& record, const
                                                      std::uint64_t tick) const {
   if (!command.isFinite()) return CommandRefusal::NOT_FINITE;
   if (isHeld(record, tick) && record.holder != publisher) return CommandRefusal::OTHER_PUBLISHER;
-  if (settings_.lockstep && record.taken_at == tick && tick < record.due) return CommandRefusal::SECOND_IN_TICK;
   return std::nullopt;
 }
 
@@ -58,7 +57,9 @@ std::optional<CommandRefusal> RobotCommands::take(RobotId robot, const Twist& co
     return cause;
   }
   ++record.counts.taken;
-  noteTiming(record, tick);
+  const bool has_one = record.taken_at == tick && tick < record.due;
+  record.counts.newer += has_one ? 1 : 0;
+  if (!has_one) noteTiming(record, tick);
   record.command = command;
   record.taken_at = tick;
   record.holder = publisher;

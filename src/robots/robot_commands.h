@@ -17,9 +17,8 @@ using PublisherId = std::uint32_t;
 enum class CommandRefusal : std::uint8_t {
   NOT_FINITE = 0,       ///< a number is infinite or not a number
   OTHER_PUBLISHER = 1,  ///< another publisher commands the robot
-  SECOND_IN_TICK = 2,   ///< the robot has a command for this tick already; in lockstep only
 };
-constexpr std::size_t COMMAND_REFUSALS = 3;
+constexpr std::size_t COMMAND_REFUSALS = 2;
 
 /// @brief Numbers of commands of one robot in an episode.
 struct CommandCounts {
@@ -27,6 +26,7 @@ struct CommandCounts {
   std::uint64_t timeouts = 0;                             ///< stops because no command arrived for too long
   std::uint64_t missed = 0;                               ///< commands that were awaited in vain
   std::uint64_t late = 0;                                 ///< taken, but after the end of the wait for them
+  std::uint64_t newer = 0;                                ///< of those taken: in place of one of the same tick
   std::array<std::uint64_t, COMMAND_REFUSALS> refused{};  ///< by cause
 };
 
@@ -48,6 +48,8 @@ struct CommandSettings {
 /// A command has no number of a tick, so in lockstep the first one after a missed one counts as late: the robot
 /// executes it, unless the tick's own command arrives in time and replaces it. A single delay therefore does not
 /// shift all later commands by a tick. A tick whose own command does not come then is not counted as missed.
+///
+/// Of several commands in a tick, the newest one counts.
 class RobotCommands {
  public:
   explicit RobotCommands(const CommandSettings& settings) : settings_(settings) {}
@@ -56,6 +58,11 @@ class RobotCommands {
   /// @brief Begins an episode: forgets all commands and counts. With the same number of robots, those that were awaited
   /// remain so. @param timeouts of the commands, by robot [s] @param tick_duration [s]
   void begin(const std::vector<double>& timeouts, double tick_duration);
+
+  /// @brief Adds a robot, as the last one. @param timeout of its commands [s]
+  void add(double timeout) { records_.emplace_back().timeout = ticksOf(timeout); }
+  /// @brief Removes a robot.
+  void remove(RobotId robot) { records_.erase(records_.begin() + robot); }
 
   /// @brief Accepts a command for a tick, or says why it is refused. @throws InputError if there is no such robot
   std::optional<CommandRefusal> take(RobotId robot, const Twist& command, PublisherId publisher, std::uint64_t tick);

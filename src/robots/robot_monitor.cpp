@@ -6,28 +6,37 @@
 
 namespace crowd {
 
-RobotMonitor::RobotMonitor(const Scene& scene, const World& world) {
-  if (world.robots().empty()) return;
-  gates_ = gateWalls(scene);
-  scene_.observe(world);
-  begin(scene.robot_metrics, scene_);
+RobotMonitor::RobotMonitor(const Scene& scene, const World& world)
+    : options_(scene.robot_metrics), gates_(gateWalls(scene)) {
+  if (!world.robots().empty()) add(world);
 }
 
 RobotMonitor::RobotMonitor(const RobotMetricOptions& options, std::vector<Segment> gates, const ObservedScene& start)
-    : gates_(std::move(gates)) {
-  begin(options, start);
+    : options_(options), gates_(std::move(gates)) {
+  add(start);
 }
 
-void RobotMonitor::begin(const RobotMetricOptions& options, const ObservedScene& start) {
-  sampler_.begin(start);
-  for (RobotId id = 0; id < start.robots.size(); ++id) {
-    const Robot& robot = *start.robots[id].robot;
-    RobotTrack& track = tracks_.emplace_back(options, start.tick_duration, robot, sampler_.measureStart(start, id));
-    if (robot.hasGoal()) track.setGoals(robot, waysOf(start, robot));
-    areas_.emplace_back(start, gates_, robot.pose.position);
+void RobotMonitor::add(const World& world) {
+  scene_.observe(world);
+  add(scene_);
+}
+
+void RobotMonitor::add(const ObservedScene& scene) {
+  sampler_.begin(scene);
+  for (auto id = static_cast<RobotId>(tracks_.size()); id < scene.robots.size(); ++id) {
+    const Robot& robot = *scene.robots[id].robot;
+    RobotTrack& track = tracks_.emplace_back(options_, scene.tick_duration, robot, sampler_.measureStart(scene, id));
+    if (robot.hasGoal()) track.setGoals(robot, waysOf(scene, robot));
+    areas_.emplace_back(scene, gates_, robot.pose.position);
   }
-  notePlaces(start);
-  measured_.assign(tracks_.size(), true);
+  notePlaces(scene);
+  measured_.resize(tracks_.size(), true);
+}
+
+void RobotMonitor::remove(RobotId robot) {
+  tracks_.erase(tracks_.begin() + robot);
+  areas_.erase(areas_.begin() + robot);
+  measured_.erase(measured_.begin() + robot);
 }
 
 ShortestWay RobotMonitor::waysOf(const ObservedScene& scene, const Robot& robot) const {

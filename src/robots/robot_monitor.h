@@ -22,7 +22,11 @@ class RobotMonitor {
   /// @param gates walls of the gates, which are open on shortest ways
   RobotMonitor(const RobotMetricOptions& options, std::vector<Segment> gates, const ObservedScene& start);
 
-  /// @brief Measures a tick that has just ended; the number of robots does not change.
+  /// @brief Measures robots that have just been added to the world, as the last ones.
+  void add(const World& world);
+  /// @brief Forgets a robot that is removed from the world.
+  void remove(RobotId robot);
+  /// @brief Measures a tick that has just ended.
   void observe(const World& world) {
     if (tracks_.empty()) return;
     scene_.observe(world);
@@ -38,11 +42,13 @@ class RobotMonitor {
   std::vector<RobotResult> results() const;
 
  private:
-  void begin(const RobotMetricOptions& options, const ObservedScene& start);
+  /// Measures the robots of a scene that were added to it.
+  void add(const ObservedScene& scene);
   ShortestWay waysOf(const ObservedScene& scene, const Robot& robot) const;
   /// Notes where people and robots are.
   void notePlaces(const ObservedScene& scene);
 
+  RobotMetricOptions options_;
   std::vector<Segment> gates_;
   ObservedScene scene_;  // scratch
   RobotSampler sampler_;

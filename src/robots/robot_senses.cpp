@@ -18,15 +18,16 @@ Eigen::Matrix3d variancesOf(const OdometrySpec& spec) {
 }  // namespace
 
 RobotSenses::RobotSenses(const Scene& scene) : seed_(scene.population_seed) {
-  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
-    const RobotStart& start = scene.robots[i];
-    has_legs_ = has_legs_ || start.scan.people == SeenPeople::LEGS;
-    Sensor& sensor = sensors_.emplace_back(start);
-    KeyedRandom random(seed_, KeyedRandom::ODOMETRY, {i});
-    sensor.distance_factor += start.odometry.distance * random.normal();
-    sensor.rotation_factor += start.odometry.rotation * random.normal();
-    sensor.heading_per_metre = start.odometry.heading_per_metre * random.normal();
-  }
+  for (const RobotStart& start : scene.robots) add(start);
+}
+
+void RobotSenses::add(const RobotStart& start) {
+  has_legs_ = has_legs_ || start.scan.people == SeenPeople::LEGS;
+  Sensor& sensor = sensors_.emplace_back(start, next_number_++);
+  KeyedRandom random(seed_, KeyedRandom::ODOMETRY, {sensor.number});
+  sensor.distance_factor += start.odometry.distance * random.normal();
+  sensor.rotation_factor += start.odometry.rotation * random.normal();
+  sensor.heading_per_metre = start.odometry.heading_per_metre * random.normal();
 }
 
 void RobotSenses::observe(const World& world) {
@@ -83,10 +84,7 @@ void RobotSenses::scan(const World& world, RobotId robot) {
   Sensor& sensor = sensors_[robot];
   if (sensor.scanned_at == world.tick()) return;
   sensor.scanned_at = world.tick();
-  if (walls_of_ != world.layoutChanges()) {
-    walls_ = WallIndex(world.walls().list());
-    walls_of_ = world.layoutChanges();
-  }
+  updateWalls(world);
   const ScanSpec& spec = sensor.scanner.spec();
   targets_.clear();
   edges_.clear();
@@ -95,7 +93,48 @@ void RobotSenses::scan(const World& world, RobotId robot) {
   addRobots(world, robot);
   const Scan& scan = sensor.scanner.scan(sensorPose(world.robots()[robot].pose, spec.mount),
                                          {targets_.data(), targets_.size()}, {edges_.data(), edges_.size()}, walls_);
-  writeRanges(scan, spec, KeyedRandom(seed_, KeyedRandom::SENSOR, {robot, world.tick()}), sensor.ranges);
+  writeRanges(scan, spec, KeyedRandom(seed_, KeyedRandom::SENSOR, {sensor.number, world.tick()}), sensor.ranges);
+}
+
+void RobotSenses::updateWalls(const World& world) {
+  if (walls_of_ == world.layoutChanges()) return;
+  walls_ = WallIndex(world.walls().list());
+  walls_of_ = world.layoutChanges();
+}
+
+std::vector<ScanPoint> RobotSenses::points(const World& world, RobotId robot) {
+  updateWalls(world);
+  std::vector<Column> columns;
+  std::vector<Panel> panels;
+  for (const Agent& agent : world.agents()) {
+    if (!agent.isPresent()) continue;
+    columns.push_back({agent.pose.position, agent.radius, heightOf(agent.figure), solids::PERSON_REFLECTION});
+  }
+  for (const Obstacle& obstacle : world.obstacles()) {
+    if (!world.isPresent(obstacle)) continue;
+    const bool is_person = obstacle.person.has_value();
+    columns.push_back({obstacle.path.at(world.time()).position, obstacle.radius,
+                       is_person ? solids::ADULT_HEIGHT : solids::OBSTACLE_HEIGHT,
+                       is_person ? solids::PERSON_REFLECTION : solids::BODY_REFLECTION});
+  }
+  for (RobotId other = 0; other < world.robots().size(); ++other) {
+    if (other == robot) continue;
+    const Footprint& footprint = world.robots()[other].start.footprint;
+    const Pose& pose = world.robots()[other].pose;
+    if (footprint.isDisc()) {
+      columns.push_back({pose.position, footprint.radius, solids::ROBOT_HEIGHT, solids::BODY_REFLECTION});
+    }
+    const std::vector<Vector2> corners = footprint.cornersAt(pose);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      panels.push_back(
+          {{corners[i], corners[(i + 1) % corners.size()]}, solids::ROBOT_HEIGHT, solids::BODY_REFLECTION});
+    }
+  }
+  const Sensor& sensor = sensors_[robot];
+  const ScanSpec& spec = sensor.scanner.spec();
+  return scanRings(spec, sensorPose(world.robots()[robot].pose, spec.mount), {columns.data(), columns.size()},
+                   {panels.data(), panels.size()}, walls_,
+                   KeyedRandom(seed_, KeyedRandom::SENSOR, {sensor.number, world.tick()}));
 }
 
 void RobotSenses::addPeople(const World& world, SeenPeople people) {

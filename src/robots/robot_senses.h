@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "robots/legs.h"
+#include "robots/ring_scan.h"
 #include "robots/scanner.h"
 #include "scenario/scene.h"
 #include "world/world.h"
@@ -27,6 +28,10 @@ struct OdometryCovariance {
 class RobotSenses {
  public:
   explicit RobotSenses(const Scene& scene);
+  /// @brief Adds the sensors of a robot, as the last one.
+  void add(const RobotStart& start);
+  /// @brief Removes those of a robot. The errors of the others stay as they are.
+  void remove(RobotId robot) { sensors_.erase(sensors_.begin() + robot); }
 
   /// @brief Takes note of the moves of the last tick. Called once after each tick. The odometry does not notice a robot
   /// that somebody moves to another place.
@@ -34,6 +39,8 @@ class RobotSenses {
   /// @brief Ranges that the laser scanner of a robot reports now, see writeRanges(). Computed at the first call in a
   /// tick; valid until the next tick or forgetScans().
   const std::vector<float>& ranges(const World& world, RobotId robot);
+  /// @brief Points that the rings of its scanner see now, see scanRings(); people are cylinders.
+  std::vector<ScanPoint> points(const World& world, RobotId robot);
   /// @brief For each of World::agents(), then of World::obstacles(), whether at least one ray of the scan of ranges()
   /// meets it first, at any range up to the greatest one; noise and dropouts have no effect.
   const std::vector<bool>& visibleBodies(const World& world, RobotId robot);
@@ -47,9 +54,13 @@ class RobotSenses {
 
  private:
   struct Sensor {
-    explicit Sensor(const RobotStart& start)
-        : scanner(start.scan), last_pose{start.position, start.heading}, deviations(start.odometry) {}
+    Sensor(const RobotStart& start, std::uint64_t its_number)
+        : number(its_number),
+          scanner(start.scan),
+          last_pose{start.position, start.heading},
+          deviations(start.odometry) {}
 
+    std::uint64_t number;  // of its random numbers
     Scanner scanner;
     std::optional<std::uint64_t> scanned_at;  // tick
     std::vector<float> ranges;
@@ -63,6 +74,7 @@ class RobotSenses {
     Eigen::Matrix3d derivative = Eigen::Matrix3d::Zero();  // of the pose with respect to the three errors
   };
 
+  void updateWalls(const World& world);
   static void measureMove(const Robot& robot, double tick_duration, Sensor& sensor);
   void scan(const World& world, RobotId robot);
   void addPeople(const World& world, SeenPeople people);
@@ -74,7 +86,8 @@ class RobotSenses {
   std::uint64_t seed_;
   bool has_legs_ = false;
   Gait gait_;
-  std::vector<Sensor> sensors_;            // by robot
+  std::vector<Sensor> sensors_;  // by robot
+  std::uint64_t next_number_ = 0;
   WallIndex walls_;                        // without a margin, unlike that of the world, which makes rays faster
   std::optional<std::uint64_t> walls_of_;  // World::layoutChanges()
   std::vector<ScanTarget> targets_;        // scratch

@@ -31,6 +31,9 @@ constexpr bool doesRobotYield(Yields yields) { return yields == Yields::ROBOT ||
 /// @brief Time after which a robot without a command stops, by default [s].
 constexpr double DEFAULT_COMMAND_TIMEOUT = 0.5;
 
+/// @brief Distance that people keep from a robot where there is room, by default [m].
+constexpr double DEFAULT_COMFORT = 0.3;
+
 /// @brief Initial state, goals and properties of a robot.
 struct RobotStart {
   std::string name;
@@ -44,7 +47,8 @@ struct RobotStart {
   double cmd_timeout = DEFAULT_COMMAND_TIMEOUT;  ///< it stops if there is no command for this time [s]
   bool perceived = true;                         ///< agents perceive it
   Yields yields = Yields::CROWD;
-  double goal_tolerance = 0.0;  ///< a goal is reached within this distance of its position [m]
+  double comfort = DEFAULT_COMFORT;  ///< distance that people keep from it where there is room [m]
+  double goal_tolerance = 0.0;       ///< a goal is reached within this distance of its position [m]
   ScanSpec scan;
   OdometrySpec odometry;
   bool reads_tf = false;  ///< EXTERNAL: its pose comes from tf, else from `odom`
@@ -70,13 +74,14 @@ struct Robot {
   RobotStart start;
   Pose pose;                           ///< in `map`
   Twist target;                        ///< last command
-  Twist twist;                         ///< of the last tick; zero if it was stopped by an impact
+  Twist twist;                         ///< at the end of the last tick; zero if it was stopped by an impact
   Vector2 velocity = Vector2::Zero();  ///< at the end of the last tick, `map` [m/s]
   double perceived_radius = 0.0;       ///< of the disc that agents perceive [m]
   std::vector<Vector2> goals;          ///< [m], `map`
   std::size_t next_goal = 0;
   RobotStatus status = RobotStatus::DRIVING;
-  bool blocked = false;                ///< its last move was cut short by an impact; solid worlds only
+  bool sent = false;                   ///< a user has given it a goal in this episode, see Robots::send()
+  bool blocked = false;                ///< an impact changed its last move; solid worlds only
   bool jumped = false;                 ///< EXTERNAL: its last move was a jump
   std::vector<RobotContact> contacts;  ///< with agents, in the last tick
 
@@ -84,6 +89,16 @@ struct Robot {
   bool hasGoal() const { return !goals.empty(); }
   /// @brief The present goal, or the last one after arrival [m], `map`; hasGoal() must hold.
   const Vector2& goal() const { return goals[next_goal]; }
+  /// @brief The velocity at which people expect it to go on, `map` [m/s]: that of the last tick; of a robot that waits
+  /// on its way to a goal, as commanded, or ahead, at the speed of one that starts.
+  Vector2 wantedVelocity() const {
+    constexpr double WAITS = 0.1;   // it is slower [m/s]
+    constexpr double STARTS = 0.3;  // our choice [m/s]
+    if (start.drive == Drive::EXTERNAL || !hasGoal() || hasArrived() || velocity.norm() >= WAITS) return velocity;
+    const double commanded = target.linear.norm();
+    const Vector2 direction = commanded > 0.0 ? Vector2(target.linear / commanded) : Vector2::UnitX();
+    return Rotation(pose.heading).outOfFrame(STARTS * direction);
+  }
   /// @brief Length of the straight lines from here via all goals that are left [m]; 0 without goals.
   double remainingDistance() const {
     double length = 0.0;

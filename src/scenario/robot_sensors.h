@@ -23,6 +23,10 @@ struct ScanSpec {
   double dropout = 0.0;      ///< share of the rays without a range
   double period = 0.0;       ///< time between scans [s]; 0: one each tick
   SeenPeople people = SeenPeople::BODIES;
+  std::uint32_t rings = 0;          ///< of a cloud of points, besides the flat scan; 0: none
+  double lowest_ring = -PI / 12.0;  ///< elevation of the lowest ring [rad]
+  double highest_ring = PI / 12.0;  ///< elevation of the highest ring [rad]
+  double height = 0.0;              ///< of the sensor above the floor [m]
 };
 
 /// @brief Standard deviations of the systematic errors of a robot's odometry, which are drawn once in an episode.

@@ -111,7 +111,7 @@ bool Episode::isOver() const {
   if (world_.robots().empty()) return crowd_is_done && (world_.enteredCount() > 0 || scene_.recorded.empty());
   bool has_goal = false;
   for (const Robot& robot : world_.robots()) {
-    if (robot.hasGoal() && !robot.hasArrived()) return false;
+    if (robot.sent || (robot.hasGoal() && !robot.hasArrived())) return false;
     has_goal = has_goal || robot.hasGoal();
   }
   if (scene_.ends == Ends::ROBOTS) return has_goal;

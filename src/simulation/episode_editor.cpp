@@ -4,12 +4,37 @@
 #include <utility>
 #include <vector>
 
+#include "common/text/quotes.h"
+#include "geometry/finite_checks.h"
 #include "navigation/sized_floor.h"
 #include "population/population_changes.h"
 #include "population/route_check.h"
+#include "scenario/region_geometry.h"
 #include "simulation/episode.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
+namespace {
+
+/// Why a robot cannot be within the tolerance of a goal; empty if it can. Only the disc within its footprint is tested.
+std::string goalProblemOf(const RobotStart& robot, const Vector2& goal, const Scene& scene, const World& world) {
+  requirePlace("goal [m]", goal);
+  if (scene.map != nullptr) {
+    const Cell cell = CellFrame(*scene.map).cellAt(goal);
+    if (!scene.map->contains(cell)) return "is beyond the map";
+    if (!scene.map->isFree(cell)) return "is on a cell of the map that is not free";
+  }
+  const double inner = -distance(robot.footprint, Pose(), Vector2(0.0, 0.0));
+  const double room = inner - robot.goal_tolerance;
+  return room > 0.0 && world.walls().index().isAnyWithin(goal, room) ? "is in a wall" : "";
+}
+
+void requireGoal(const RobotStart& robot, const Vector2& goal, const Scene& scene, const World& world) {
+  const std::string problem = goalProblemOf(robot, goal, scene, world);
+  if (!problem.empty()) throw InputError("the goal " + placeText(goal) + " " + problem);
+}
+
+}  // namespace
 
 EpisodeEditor::EpisodeEditor(Episode& episode) : WorldEditor(episode.world_), episode_(episode) {}
 
@@ -35,6 +60,51 @@ void EpisodeEditor::note(const WorldChange& change) {
   }
   if (change.fewer_walls) episode_.population_.updateGates(world_);
   episode_.noteChange();
+}
+
+void EpisodeEditor::sendRobot(RobotId id, const Vector2& goal) {
+  requireGoal(world_.robots().require(id).start, goal, episode_.scene_, world_);
+  episode_.robots().send(id, goal);
+}
+
+RobotId EpisodeEditor::addRobot(const RobotStart& start) {
+  for (const Robot& other : world_.robots()) {
+    if (other.start.name == start.name) throw InputError("there is a robot " + inQuotes(start.name) + " already");
+    if (other.start.name_space == start.name_space) {
+      throw InputError("robot " + inQuotes(other.start.name) + " is in the namespace " + inQuotes(start.name_space));
+    }
+  }
+  const std::string blocker = world_.blockerAt(start.position, start.footprint.reach(), false);
+  if (!blocker.empty()) throw InputError("the place is taken by " + blocker);
+  for (const Vector2& goal : start.goals) requireGoal(start, goal, episode_.scene_, world_);
+  episode_.scene_.robots.push_back(start);
+  const RobotId id = episode_.robots().add(start);
+  episode_.robot_monitor_.add(world_);
+  note({});
+  return id;
+}
+
+void EpisodeEditor::removeRobot(RobotId id) {
+  const std::string name = world_.robots().require(id).start.name;
+  const auto follows = [&](const std::optional<Leader>& leader) {
+    return leader && leader->kind == Leader::Kind::ROBOT && leader->number >= id;
+  };
+  for (const AgentStart& agent : episode_.scene_.agents) {
+    if (follows(agent.leader)) throw InputError("agents follow robot " + inQuotes(name) + ", or one after it");
+  }
+  episode_.scene_.robots.erase(episode_.scene_.robots.begin() + id);
+  episode_.population_.forgetRobot(id, world_);
+  episode_.robots().remove(id);
+  episode_.robot_monitor_.remove(id);
+  note({});
+}
+
+void EpisodeEditor::replaceMap(std::shared_ptr<const OccupancyMap> map, const std::vector<Segment>& map_walls) {
+  Scene& scene = episode_.scene_;
+  std::vector<Segment> walls(scene.walls.begin(), scene.walls.begin() + static_cast<std::ptrdiff_t>(scene.own_walls));
+  walls.insert(walls.end(), map_walls.begin(), map_walls.end());
+  replaceWalls(std::move(walls));
+  scene.map = std::move(map);
 }
 
 void EpisodeEditor::replaceCrowd(std::vector<Agent>& agents, std::vector<EpisodeMonitor::Track>& tracks) {

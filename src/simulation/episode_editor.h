@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "maps/occupancy_map.h"
 #include "scenario/population_spec.h"
 #include "simulation/episode_monitor.h"
 #include "world/world_editor.h"
@@ -19,6 +21,17 @@ class EpisodeEditor final : public WorldEditor {
  public:
   explicit EpisodeEditor(Episode& episode);
 
+  /// @brief Lets a user send a robot to a goal [m], see Robots::send(). @throws InputError that says why the robot
+  /// cannot be there, also for a goal off the map: beyond it, or on a cell that is not free; the robot keeps its goal
+  void sendRobot(RobotId id, const Vector2& goal);
+  /// @brief Adds a robot at a free place, as the last one. @throws InputError also if there is one of its name or
+  /// namespace, or a goal is refused as by sendRobot()
+  RobotId addRobot(const RobotStart& start);
+  /// @brief Removes a robot, without a result; the ids of those after it become smaller by one. @throws InputError if
+  /// agents follow it or one after it
+  void removeRobot(RobotId id);
+  /// @brief Replaces the map, and the walls that come from it. @param map_walls traced from the map [m]
+  void replaceMap(std::shared_ptr<const OccupancyMap> map, const std::vector<Segment>& map_walls);
   /// @brief Replaces all agents, and what is known of their motion. @param agents, tracks by ascending id; on return
   /// the former ones
   void replaceCrowd(std::vector<Agent>& agents, std::vector<EpisodeMonitor::Track>& tracks);

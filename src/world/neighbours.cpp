@@ -10,4 +10,9 @@ void NeighbourList::grow(std::size_t size) {
   kinds_.resize(capacity);
 }
 
+void NeighbourList::setIntent(std::size_t i, const RobotIntent& intent) {
+  if (intents_.size() <= i) intents_.resize(kinds_.size());
+  intents_[i] = intent;
+}
+
 }  // namespace crowd

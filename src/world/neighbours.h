@@ -13,12 +13,24 @@ namespace crowd {
 /// @brief Kind of a perceived body. UNYIELDED_ROBOT: a robot that agents see, but do not yield to.
 enum class NeighbourKind : std::uint8_t { AGENT = 0, OBSTACLE = 1, ROBOT = 2, UNYIELDED_ROBOT = 3 };
 
+/// @brief What people read from a robot besides its motion, in the frame of the agent that perceives it.
+struct RobotIntent {
+  double comfort = 0.0;              ///< distance that people keep from it where there is room [m]
+  Vector2 wanted = Vector2::Zero();  ///< velocity at which it will go on: its own, or that of one that waits [m/s]
+};
+
+/// @brief Whether a body is a robot.
+constexpr bool isRobot(NeighbourKind kind) {
+  return kind == NeighbourKind::ROBOT || kind == NeighbourKind::UNYIELDED_ROBOT;
+}
+
 /// @brief Another body, or its visible part, in the frame of the agent that perceives it (x ahead, y left).
 struct Neighbour {
   Vector2 position = Vector2::Zero();  ///< centre [m]
   Vector2 velocity = Vector2::Zero();  ///< over ground, in the last tick [m/s]
   double radius = 0.0;                 ///< [m]
   NeighbourKind kind = NeighbourKind::AGENT;
+  RobotIntent intent = {};  ///< of a robot
 };
 
 /// @brief Distance from the agent's centre to the rim [m]; negative if the centre is inside.
@@ -44,7 +56,10 @@ class NeighbourList {
     set(size_ - 1, neighbour);
   }
   /// @brief Neighbour `i`, as a copy; set() writes it.
-  Neighbour operator[](std::size_t i) const { return {{xs_[i], ys_[i]}, {vxs_[i], vys_[i]}, radii_[i], kinds_[i]}; }
+  Neighbour operator[](std::size_t i) const {
+    const RobotIntent intent = isRobot(kinds_[i]) ? intents_[i] : RobotIntent();
+    return {{xs_[i], ys_[i]}, {vxs_[i], vys_[i]}, radii_[i], kinds_[i], intent};
+  }
   void set(std::size_t i, const Neighbour& neighbour) {
     xs_[i] = neighbour.position.x();
     ys_[i] = neighbour.position.y();
@@ -52,6 +67,7 @@ class NeighbourList {
     vys_[i] = neighbour.velocity.y();
     radii_[i] = neighbour.radius;
     kinds_[i] = neighbour.kind;
+    if (isRobot(neighbour.kind)) setIntent(i, neighbour.intent);
   }
 
   /// @brief Arrays of the fields of Neighbour, PADDING elements may be read beyond the last.
@@ -71,6 +87,7 @@ class NeighbourList {
 
  private:
   void grow(std::size_t size);
+  void setIntent(std::size_t i, const RobotIntent& intent);
 
   std::size_t size_ = 0;
   std::vector<double> xs_;
@@ -79,6 +96,7 @@ class NeighbourList {
   std::vector<double> vys_;
   std::vector<double> radii_;
   std::vector<NeighbourKind> kinds_;
+  std::vector<RobotIntent> intents_;  // up to the last robot; those of others are not used
 };
 
 /// @brief View of consecutive neighbours of a list; valid as long as the list is unchanged.

@@ -18,9 +18,11 @@ inline void prefetch(const Agent& agent) {
 
 Neighbour seenRobot(const Robot& robot, const Agent& agent) {
   const Rotation frame(agent.ahead);
-  return {frame.intoFrame(robot.pose.position - agent.pose.position), frame.intoFrame(robot.velocity),
+  return {frame.intoFrame(robot.pose.position - agent.pose.position),
+          frame.intoFrame(robot.velocity),
           robot.perceived_radius,
-          doesCrowdYield(robot.start.yields) ? NeighbourKind::ROBOT : NeighbourKind::UNYIELDED_ROBOT};
+          doesCrowdYield(robot.start.yields) ? NeighbourKind::ROBOT : NeighbourKind::UNYIELDED_ROBOT,
+          {robot.start.comfort, frame.intoFrame(robot.wantedVelocity())}};
 }
 
 inline void perceiveSelf(const Agent& agent, AgentPerception& self) {

@@ -19,6 +19,12 @@ void stopAtImpact(Robot& robot, double rest) {
   robot.pose.heading = wrapAngle(robot.pose.heading + rest * robot.twist.rotation);
 }
 
+/// A robot with the protective stop stops at walls: the stop does not foresee where it would slide.
+std::optional<WallSliding> slidingOf(const RobotStart& robot) {
+  if (robot.drive == Drive::EXTERNAL || doesRobotYield(robot.yields)) return std::nullopt;
+  return WallSliding{robot.limits.max_rotation, robot.drive != Drive::ACKERMANN};
+}
+
 /// The cause of a contact if robot and agent move as they intend: a side moves in if its motion alone touches the other
 /// side at the place of the start of the tick. @param start of the agent [m] @param way of the agent in the tick [m]
 ContactCause causeOf(const RobotSweep& sweep, const Vector2& start, const Vector2& way, double radius) {
@@ -37,20 +43,37 @@ bool overlaps(const RobotSweep& sweep, const Vector2& place, double radius) {
 }  // namespace
 
 Robots::Robots(const Scene& scene) : tick_duration_(scene.tick_duration), contact_(scene.contact) {
-  for (const RobotStart& start : scene.robots) {
-    Robot& robot = robots_.emplace_back();
-    robot.start = start;
-    robot.pose = {start.position, wrapAngle(start.heading)};
-    robot.goals = start.goals;
-    robot.perceived_radius = start.footprint.reach() + deviation(start.limits, tick_duration_);
-  }
-  places_.resize(robots_.size());
-  contacts_.resize(robots_.size());
+  for (const RobotStart& start : scene.robots) add(start);
+}
+
+RobotId Robots::add(const RobotStart& start) {
+  Robot& robot = robots_.emplace_back();
+  robot.start = start;
+  robot.pose = {start.position, wrapAngle(start.heading)};
+  robot.goals = start.goals;
+  robot.perceived_radius = start.footprint.reach() + deviation(start.limits, tick_duration_);
+  places_.emplace_back();
+  contacts_.emplace_back();
+  return static_cast<RobotId>(robots_.size() - 1);
+}
+
+void Robots::remove(RobotId id) {
+  require(id);
+  robots_.erase(robots_.begin() + id);
+  places_.erase(places_.begin() + id);
+  contacts_.erase(contacts_.begin() + id);
 }
 
 const Robot& Robots::require(RobotId id) const {
   if (id >= robots_.size()) throw InputError("there is no robot " + std::to_string(id));
   return robots_[id];
+}
+
+RobotId Robots::idOf(const std::string& name) const {
+  const auto found =
+      std::find_if(robots_.begin(), robots_.end(), [&](const Robot& robot) { return robot.start.name == name; });
+  if (found == robots_.end()) throw InputError("there is no robot " + inQuotes(name));
+  return static_cast<RobotId>(found - robots_.begin());
 }
 
 Robot& Robots::find(RobotId id) {
@@ -86,6 +109,11 @@ void Robots::setGoals(RobotId id, std::vector<Vector2> goals) {
   robot.goals = std::move(goals);
   robot.next_goal = 0;
   robot.status = RobotStatus::DRIVING;
+}
+
+void Robots::send(RobotId id, const Vector2& goal) {
+  setGoals(id, {goal});
+  robots_[id].sent = true;
 }
 
 void Robots::teleport(RobotId id, const Pose& pose) {
@@ -145,7 +173,8 @@ void Robots::addDiscs(std::vector<SolidMotion::Disc>& discs) const {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const RobotSweep& sweep = sweeps_[i];
     const bool can_stop = robots_[i].start.drive != Drive::EXTERNAL;
-    discs.push_back({sweep.at(0.0).position, Vector2::Zero(), sweep.footprint().reach(), can_stop, &sweep});
+    discs.push_back({sweep.at(0.0).position, Vector2::Zero(), sweep.footprint().reach(), can_stop, &sweep,
+                     slidingOf(robots_[i].start)});
   }
 }
 
@@ -184,11 +213,6 @@ void Robots::noteSolidContacts(const std::vector<Agent>& agents, const std::vect
   }
 }
 
-void Robots::stop(const Span<SolidMotion::Outcome>& outcomes) {
-  const SolidMotion::Outcome* outcome = outcomes.end() - sweeps_.size();
-  for (RobotSweep& sweep : sweeps_) sweep.stopAt((outcome++)->stopped_at);
-}
-
 void Robots::noteGhostContacts(const Span<Agent>& agents, double time) {
   for (RobotId id = 0; id < robots_.size(); ++id) {
     const RobotSweep& sweep = sweeps_[id];
@@ -213,8 +237,15 @@ void Robots::endMoves() {
     } else {
       const RobotSweep& sweep = sweeps_[i];
       robot.pose = sweep.at(1.0);
-      robot.blocked = sweep.stoppedAt() < 1.0 && !(robot.twist.linear.isZero(0.0) && robot.twist.rotation == 0.0);
-      if (sweep.stoppedAt() < 1.0) stopAtImpact(robot, (1.0 - sweep.stoppedAt()) * tick_duration_);
+      robot.pose.heading = wrapAngle(robot.pose.heading);
+      const bool has_met = sweep.stoppedAt() < 1.0 || sweep.hasSlid();
+      robot.blocked = has_met && !(robot.twist.linear.isZero(0.0) && robot.twist.rotation == 0.0);
+      if (sweep.stoppedAt() < 1.0) {
+        stopAtImpact(robot, (1.0 - sweep.stoppedAt()) * tick_duration_);
+      } else if (sweep.hasSlid()) {
+        const BodyMotion motion = sweep.motionAt(1.0);
+        robot.twist = {Rotation(robot.pose.heading).intoFrame(motion.velocity), motion.rotation};
+      }
       robot.velocity = Rotation(robot.pose.heading).outOfFrame(robot.twist.linear);
     }
     if (!robot.hasGoal() || robot.hasArrived()) continue;

@@ -19,8 +19,8 @@ namespace crowd {
 /// in the grid of bodies: there are few of them, and agents perceive them as discs that are larger than their
 /// footprints, or not at all.
 ///
-/// In each tick World calls beginMoves(), in a solid world addDiscs(), noteSolidContacts() and stop(), in a ghost world
-/// noteGhostContacts(), then endMoves().
+/// In each tick World calls beginMoves(), in a solid world addDiscs(), noteSolidContacts() and replaceMotions(), in a
+/// ghost world noteGhostContacts(), then endMoves().
 class Robots {
  public:
   explicit Robots(const Scene& scene);
@@ -43,6 +43,13 @@ class Robots {
   /// @brief Replaces the goals of a robot [m], `map`; none: it has no goal any more.
   /// @throws InputError if there is no such robot or a number is not finite.
   void setGoals(RobotId id, std::vector<Vector2> goals);
+  /// @brief Lets a user send a robot to a goal [m], `map`. Its arrival ends no episode: the user may send it on.
+  /// @throws InputError if there is no such robot or a number is not finite.
+  void send(RobotId id, const Vector2& goal);
+  /// @brief Adds a robot. Call WorldEditor::addRobot(), which checks it.
+  RobotId add(const RobotStart& start);
+  /// @brief Removes a robot; the ids of those after it become smaller by one.
+  void remove(RobotId id);
   /// @brief Lets a robot stand at another place, see WorldEditor::teleportRobot().
   void teleport(RobotId id, const Pose& pose);
 
@@ -50,6 +57,8 @@ class Robots {
   bool isAnyWithin(double distance, const Vector2& place) const;
   /// @brief The name of a robot that overlaps a disc [m]; empty if none does. @param except a robot that is ignored
   std::string blockerAt(const Vector2& centre, double radius, std::optional<RobotId> except) const;
+  /// @brief The robot of this name. @throws InputError if there is none
+  RobotId idOf(const std::string& name) const;
   /// @brief The robot. @throws InputError if there is none
   const Robot& require(RobotId id) const;
 
@@ -63,8 +72,8 @@ class Robots {
   /// of the robots @param touches the impacts of these
   void noteSolidContacts(const std::vector<Agent>& agents, const std::vector<SolidMotion::Disc>& discs,
                          const std::vector<SolidMotion::Touch>& touches);
-  /// @brief Cuts the motions short. @param outcomes of the discs
-  void stop(const Span<SolidMotion::Outcome>& outcomes);
+  /// @brief Replaces the motions by those after impacts. @param sweeps of the robots
+  void replaceMotions(const std::vector<RobotSweep>& sweeps) { sweeps_ = sweeps; }
   /// @brief Notes contacts with agents that have just moved for a time [s] in a ghost world.
   void noteGhostContacts(const Span<Agent>& agents, double time);
   /// @brief Puts the robots where they are at the end of the tick, and counts the goals that they have reached.

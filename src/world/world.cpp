@@ -352,7 +352,7 @@ void World::carryOutSolidMotions(const Moves& moves) {
     agent.bumped = agent.bumped || outcome->touched;
     ++outcome;
   }
-  robots_.stop({outcomes.data(), outcomes.size()});
+  robots_.replaceMotions(solid_motion_.sweeps());
 }
 
 }  // namespace crowd

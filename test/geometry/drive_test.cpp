@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/random.h"
+
 namespace crowd::drive_test {
 namespace {
 
@@ -104,6 +106,24 @@ TEST(Twist, IsFiniteIfAllItsNumbersAre) {
   EXPECT_FALSE((Twist{{nan, 0.0}, 0.0}.isFinite()));
   EXPECT_FALSE((Twist{{0.0, infinity}, 0.0}.isFinite()));
   EXPECT_FALSE((Twist{{0.0, 0.0}, -infinity}.isFinite()));
+}
+
+TEST(Drive, TheTwistBetweenTwoPosesLeadsFromOneToTheOther) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    const auto within = [&](double limit) { return random.uniform(-limit, limit); };
+    const Pose from{{within(5.0), within(5.0)}, within(PI)};
+    const Twist twist{{within(2.0), within(2.0)}, within(3.0)};
+    const Twist found = twistBetween(from, drivePose(from, twist, 0.4), 0.4);
+    EXPECT_NEAR((found.linear - twist.linear).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(found.rotation, twist.rotation, 1e-12);
+  }
+  // A quarter of a circle of radius 2 m in 1 s.
+  const Twist quarter = twistBetween({{0.0, 0.0}, 0.0}, {{2.0, 2.0}, PI / 2.0}, 1.0);
+  EXPECT_NEAR(quarter.linear.x(), PI, 1e-12);
+  EXPECT_NEAR(quarter.linear.y(), 0.0, 1e-12);
+  EXPECT_NEAR(quarter.rotation, PI / 2.0, 1e-12);
 }
 
 }  // namespace

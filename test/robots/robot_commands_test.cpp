@@ -63,12 +63,16 @@ TEST(RobotCommands, WithoutLockstepTheLastOneCounts) {
   EXPECT_FALSE(commands.isAwaited(0, 1));
 }
 
-TEST(RobotCommands, InLockstepTheFirstOneCounts) {
+TEST(RobotCommands, InLockstepTheNewestOneCountsAndTheNextTickWaitsForItsOwn) {
   RobotCommands commands = makeCommands(true);
   EXPECT_FALSE(commands.take(0, forward(1.0), JOYSTICK, 0));
-  EXPECT_EQ(commands.take(0, forward(0.5), JOYSTICK, 0), CommandRefusal::SECOND_IN_TICK);
-  EXPECT_EQ(speeds(commands, 0, 1), (std::vector<double>{1.0}));
-  EXPECT_EQ(commands.countsOf(0).refused[2], 1U);
+  EXPECT_FALSE(commands.take(0, forward(0.5), JOYSTICK, 0));
+  EXPECT_FALSE(commands.take(0, forward(0.7), JOYSTICK, 0));
+  EXPECT_EQ(speeds(commands, 0, 1), (std::vector<double>{0.7}));
+  EXPECT_EQ(commands.countsOf(0).taken, 3U);
+  EXPECT_EQ(commands.countsOf(0).newer, 2U);
+  EXPECT_FALSE(commands.isAwaited(0, 0));
+  EXPECT_TRUE(commands.isAwaited(0, 1));
 }
 
 TEST(RobotCommands, NumbersMustBeFinite) {
@@ -131,9 +135,11 @@ TEST(RobotCommands, ALateCommandDoesNotShiftThoseThatFollow) {
   EXPECT_TRUE(commands.isAwaited(0, 2));
   EXPECT_FALSE(commands.take(0, forward(0.3), JOYSTICK, 2));  // that of tick 2
   EXPECT_FALSE(commands.isAwaited(0, 2));
-  EXPECT_EQ(commands.take(0, forward(0.4), JOYSTICK, 2), CommandRefusal::SECOND_IN_TICK);
-  EXPECT_EQ(speeds(commands, 2, 3), std::vector<double>{0.3});
-  EXPECT_EQ(commands.countsOf(0).taken, 3U);
+  EXPECT_EQ(commands.countsOf(0).newer, 0U);
+  EXPECT_FALSE(commands.take(0, forward(0.4), JOYSTICK, 2));
+  EXPECT_EQ(speeds(commands, 2, 3), std::vector<double>{0.4});
+  EXPECT_EQ(commands.countsOf(0).taken, 4U);
+  EXPECT_EQ(commands.countsOf(0).newer, 1U);
   EXPECT_EQ(commands.countsOf(0).late, 1U);
   EXPECT_EQ(commands.countsOf(0).missed, 1U);
 }

@@ -12,7 +12,7 @@ EPISODES = 2
 
 
 class RecordRobotsTest(RobotLaunchTestCase):
-    """The recorder in robot.launch, and alone."""
+    """The recorder in robot_lab.launch, and alone."""
 
     def rows(self, name):
         """Returns the header and the rows of a record in the test's folder."""
@@ -23,7 +23,7 @@ class RecordRobotsTest(RobotLaunchTestCase):
     def test_columns_are_those_of_evaluate_and_values_those_of_the_messages(self):
         scenario = support.in_package('config', 'scenarios', 'robots', 'robot_crossing.yaml')
         results = self.listen('episode_results', EpisodeResult)
-        launched = self.drive('robot.launch', scenario=scenario, real_time_factor='fast', episodes=EPISODES, seed=4,
+        launched = self.drive('robot_lab.launch', scenario=scenario, real_time_factor='fast', episodes=EPISODES, seed=4,
                               robots_csv=self.path('ros.csv'))
         self.assert_ends_well(launched)
         self.tool('evaluate', '--q-table', support.ANTICIPATION_TABLE, '--robot', 'none', '--robots-csv',
@@ -36,7 +36,9 @@ class RecordRobotsTest(RobotLaunchTestCase):
         for row, result in zip(rows, results.messages[-EPISODES:]):
             robot = result.robots[0]
             for name in columns[3:]:
-                if name not in ('people_compared', 'people_delay', 'people_detour'):
+                if name == 'navigation':
+                    self.assertEqual((row[name], robot.navigation), ('running', 'running'))
+                elif name not in ('people_compared', 'people_delay', 'people_detour'):
                     # As texts, so that nan is equal to nan.
                     self.assertEqual(str(float(row[name])), str(float(getattr(robot, name))), name)
             self.assertEqual((row['scenario'], row['robot'], row['success']), ('robot_crossing', 'robot', '1'))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""robot.launch: robots that are driven by their laser scans arrive, without touching people."""
+"""robot_lab.launch: robots that are driven by their laser scans arrive, without touching people."""
 import support
 from robot_launching import RobotLaunchTestCase
 
@@ -24,7 +24,7 @@ class RobotControllerTest(RobotLaunchTestCase):
     """The example controller."""
 
     def test_crosses_a_hall_with_people(self):
-        launched = self.drive('robot.launch', real_time_factor='fast', episodes=1, seed=3)
+        launched = self.drive('robot_lab.launch', real_time_factor='fast', episodes=1, seed=3)
         self.assert_ends_well(launched)
         self.wait_until_arrived()
         self.assert_nobody_was_touched()
@@ -37,14 +37,14 @@ class RobotControllerTest(RobotLaunchTestCase):
         self.assertGreater(robot.commands_taken, 100)
 
     def test_goes_where_2d_nav_goal_sends_it(self):
-        launched = self.drive('robot.launch', real_time_factor=5, seed=3)
+        launched = self.drive('robot_lab.launch', real_time_factor=5, seed=3)
         support.wait_for(self.robots, 'the robot')
         self.send_nav_goal(self.robots()[0].pose.x, self.robots()[0].pose.y + 1.0)
         self.assertEqual(launched.stop(), 0)
 
     def test_two_robots_in_namespaces(self):
-        launched = self.drive('robot.launch', scenario=self.write('swap.yaml', SWAP), robots='tug cart',
-                              real_time_factor='fast', episodes=1)
+        launched = self.drive('robot_lab.launch', scenario=self.write('swap.yaml', SWAP), real_time_factor='fast',
+                              episodes=1)
         self.assert_ends_well(launched)
         self.wait_until_arrived()
         self.assert_nobody_was_touched()

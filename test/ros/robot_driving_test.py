@@ -4,7 +4,7 @@ import math
 
 import rospy
 import support
-from geometry_msgs.msg import PoseArray, PoseStamped
+from geometry_msgs.msg import Pose2D, PoseArray, PoseStamped, PoseWithCovarianceStamped, Twist
 from nav_msgs.msg import Odometry
 from robots import RobotTestCase, command, scenario
 from sensor_msgs.msg import LaserScan, PointCloud2
@@ -172,15 +172,76 @@ walls:'''
         goals = self.listen('goal', PoseStamped).wait_connected()
         goals.wait()
         publisher = self.publisher('new_goal', PoseStamped)
-        for frame, x in (('base_link', 2.0), ('map', math.nan), ('map', 2.0)):
+        for frame, x in (('base_link', 2.0), ('map', math.nan), ('map', 5.0), ('map', 2.0)):  # there is a wall at 5
             goal = PoseStamped()
             goal.header.frame_id = frame
             goal.pose.position.x = x
             publisher.publish(goal)
         self.assertEqual(goals.wait(lambda message: message.pose.position.x != 4.0).pose.position.x, 2.0)
-        support.wait_for(lambda: 'expected the frame map' in self.controller.output()
-                         and 'expected finite numbers' in self.controller.output(), 'two warnings')
+        support.wait_for(lambda: all(text in self.controller.output() for text in (
+            'expected the frame map', 'expected finite numbers', 'the goal (5, 0) is in a wall')), 'three warnings')
         self.assertEqual(self.walk().goal.x, 2.0)
+
+    def test_a_robot_is_moved_by_a_service_and_by_a_topic(self):
+        self.start_all()
+        self.succeed('crowd_controller/teleport_robot', robot='tug', pose=Pose2D(-2.0, 1.0, 0.5))
+        state = self.walk()
+        self.assertEqual((state.pose.x, state.pose.y, state.pose.theta), (-2.0, 1.0, 0.5))
+        self.refuse('crowd_controller/teleport_robot', 'taken by a wall', robot='tug', pose=Pose2D(5.1, 0.0, 0.0))
+        self.refuse('crowd_controller/teleport_robot', "there is no robot 'cart'", robot='cart')
+        publisher = self.publisher('new_pose', PoseWithCovarianceStamped)
+        for x in (5.1, 3.0):
+            pose = PoseWithCovarianceStamped()
+            pose.header.frame_id = 'map'
+            pose.pose.pose.position.x, pose.pose.pose.orientation.w = x, 1.0
+            publisher.publish(pose)
+        support.wait_for(lambda: self.walk().pose.x == 3.0, 'the new place')
+        self.assertEqual(self.walk().pose.theta, 0.0)
+        support.wait_for(lambda: 'a pose is refused: the place is taken by a wall' in self.controller.output(), 'warning')
+
+    def test_robots_are_added_and_removed(self):
+        self.start_all()
+        self.succeed('crowd_controller/spawn_robot', robot='{name: cart, position: [-3, 2], radius: 0.2, max_speed: 1, '
+                     'goal: [0, 2], acceleration: 100, scan: {rays: 8}}')
+        odometry = self.listen('cart/odom', Odometry).wait_connected()
+        scans = self.listen('cart/scan', LaserScan).wait_connected()
+        goal = self.listen('cart/goal', PoseStamped).wait()
+        self.assertEqual(goal.pose.position.x, 0.0)
+        self.step_robots(['cart', 'tug'], [command(1.0), command(0.5)])
+        self.assertEqual([robot.name for robot in self.states.messages[-1].robots], ['tug', 'cart'])
+        self.assertAlmostEqual(odometry.wait().pose.pose.position.x, 0.1)
+        self.assertEqual(len(scans.wait().ranges), 8)
+        for entry, words in (('{name: cart, position: [-3, 4], radius: 0.2, max_speed: 1}', "a robot 'cart' already"),
+                             ('{name: van, position: [5.1, 0], radius: 0.2, max_speed: 1}', 'taken by a wall'),
+                             ('{name: van, position: [0, 4], max_speed: 1}', 'radius'),
+                             ('{name: van, position: {box: [[0, 1], [2, 3]]}, radius: 1, max_speed: 1}', 'fixed'),
+                             ('{name: van', 'robot: ')):
+            self.refuse('crowd_controller/spawn_robot', words, robot=entry)
+        self.succeed('crowd_controller/remove_robot', robot='tug')
+        self.refuse('crowd_controller/remove_robot', "no robot 'tug'", robot='tug')
+        before = self.walk().pose.x
+        publisher = self.publisher('cart/cmd_vel', Twist)
+        publisher.publish(command(1.0))
+        support.wait_for(lambda: self.walk().pose.x > before, 'that the other one still takes commands')
+        self.assertEqual([robot.name for robot in self.states.messages[-1].robots], ['cart'])
+        self.succeed('crowd_controller/reset', keep_seed=True)
+        self.assertEqual(self.walk().name, 'tug')
+
+    def test_odometry_between_ticks_is_on_the_arc(self):
+        """At 1 m/s and 1 rad/s, on a circle of 1 m; a fifth of a tick of 0.1 s is 0.02 s."""
+        self.start_all(odometry_rate=50.0, publish_clock=True)
+        odometry = self.listen('odom', Odometry).wait_connected()
+        self.step_robots(['tug'], [command(1.0, 1.0)], ticks=2)
+        support.wait_for(lambda: len(odometry.messages) >= 10, 'ten messages')
+        self.assertEqual(len(odometry.messages), 10)
+        for number, message in enumerate(odometry.messages, 1):
+            angle = 0.02 * number
+            self.assertAlmostEqual(message.pose.pose.position.x, math.sin(angle), places=9)
+            self.assertAlmostEqual(message.pose.pose.position.y, 1.0 - math.cos(angle), places=9)
+            self.assertAlmostEqual(message.twist.twist.linear.x, 1.0, places=9)
+        times = [message.header.stamp.to_sec() for message in odometry.messages]
+        for before, after in zip(times, times[1:]):
+            self.assertAlmostEqual(after - before, 0.02, places=6)
 
     def test_robots_have_namespaces(self):
         text = scenario() + scenario().split('robots:\n')[1].replace('tug', 'cart').replace('[1, 0]', '[1, 3]')

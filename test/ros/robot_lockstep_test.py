@@ -4,8 +4,8 @@ import rospy
 import support
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from robots import RobotTestCase, command, scenario
-from social_crowd.msg import EpisodeResult
+from robots import RobotTestCase, command, commands_of, scenario
+from social_crowd.msg import EpisodeResult, RobotStates
 
 TICKS = 40
 
@@ -83,6 +83,19 @@ class RobotLockstepTest(RobotTestCase):
         self.assertEqual((state.commands_taken, state.commands_late, state.commands_missed, state.commands_repeated),
                          (3, 1, 1, 0))
         support.wait_for(lambda: 'came after the 3 s of ~command_deadline' in self.controller.output(), 'a warning')
+
+    def test_of_several_commands_in_a_tick_the_newest_counts(self):
+        publisher = self.begin()
+        for speed in (0.4, 0.5, 0.6):
+            publisher.publish(command(speed))
+        support.wait_for(lambda: commands_of(self.present_state()) == 3, 'three commands')
+        state = self.walk()
+        self.assertEqual(state.command.linear.x, 0.6)
+        self.assertEqual((state.commands_taken, state.commands_repeated, state.commands_missed), (3, 2, 0))
+
+    def present_state(self):
+        """Returns the state of the robot, which each new subscriber gets."""
+        return rospy.wait_for_message(f'{self.namespace}/robots', RobotStates, support.PATIENCE).robots[0]
 
     def test_a_robot_that_is_silent_is_absent_until_its_next_command(self):
         self.start_all(publish_clock=True, robot_lockstep=True, command_deadline=0.05, misses_until_absent=2)

@@ -75,4 +75,4 @@ class RobotTestCase(support.CrowdTestCase):
 
 def commands_of(state):
     """Returns the number of commands that arrived for a robot."""
-    return (state.commands_taken + state.commands_not_finite + state.commands_of_others + state.commands_repeated)
+    return state.commands_taken + state.commands_not_finite + state.commands_of_others

@@ -28,14 +28,14 @@ WALKING = [
     'training_episodes:=100',
     DEMO + ' q_table:=$(rospack find social_crowd)/config/q_tables/thesis_occupancy.txt',
     DEMO + ' scenario:=crowd_random_1000 nodelets:=true',
-    'roslaunch social_crowd robot.launch',
+    'roslaunch social_crowd robot_lab.launch',
     'roslaunch social_crowd replay.launch bag:=$PWD/walk.bag',
     'roslaunch social_crowd replay.launch trajectories:=$PWD/obsmat.txt',
     *(f'{DEMO} scenario:=place_{name}' for name in ('station', 'office', 'supermarket', 'bottleneck', 'two_way_door',
                                                     'corner', 't_junction', 'museum')),
 ]
 IN_RVIZ = [DEMO, 'roslaunch social_crowd train.launch output:=/tmp/table.txt rviz:=true real_time_factor:=20']
-MOVE_BASE = 'roslaunch social_crowd move_base.launch'
+MOVE_BASE = 'roslaunch social_crowd robot_lab.launch navigation:=move_base scenario:=office_courier'
 FILM = 'scripts/film place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30 --output station.gif'
 LEARNING = [
     'rosrun social_crowd train config/learning/anticipation.yaml --output table.txt --seed 7',

@@ -19,8 +19,7 @@ from crowd_robot_benchmark.measures import (CAUSES, CROWDNAV_ORCA, Summary, chap
 from crowd_robot_benchmark.results import Row
 from crowd_robot_benchmark.suite import INVISIBLE, ROBOTS, VISIBLE, Suite, changed_scene, scene_files
 from crowd_robot_benchmark.verify import spread
-from crowd_robot_benchmark.worst import robot_tracks, worst_rows
-from crowd_robots.driving import launch_arguments
+from crowd_robot_benchmark.worst import worst_rows
 from programs import ANTICIPATION_TABLE, assert_says, in_package, read_text, tools_folder, wait_for
 
 COLUMNS = ('episode,scenario,robot,success,time_to_reach_goal,robot_on_person_collisions,person_on_robot_collisions,'
@@ -232,16 +231,6 @@ class WorstEpisodesTest:
                 for (scene, episode), text in values.items()]
         found = [(row.identity.scenario, row.identity.episode) for row, _ in worst_rows(columns, rows)]
         assert found == [('c', '0'), ('a', '1'), ('b', '0'), ('d', '0')]
-
-    def test_robots_of_a_log(self, tmp_path):
-        log = tmp_path / 'log.jsonl'
-        lines = [{'scenario': 'a', 'tick_duration': 0.5, 'robots': [{'name': 'tug', 'radius': 0.3}]},
-                 {'tick': 0, 'robots': [{'x': 1, 'y': 2, 'heading': 3.0}], 'people': []},
-                 {'tick': 1, 'robots': [{'x': 2, 'y': 2, 'heading': -3.0}], 'people': []}]
-        log.write_text(''.join(json.dumps(line) + '\n' for line in lines), encoding='utf-8')
-        track, = robot_tracks(log)
-        assert track.place_at(0.25) == [1.5, 2.0]
-        assert track.heading_at(0.5) == pytest.approx(2 * math.pi - 3)  # it turned across pi
 
     @pytest.mark.skipif(not logs_robots(), reason='`evaluate` writes no logs of robots')
     def test_page(self, runner):
@@ -459,16 +448,9 @@ class DriveRobotsTest:
         assert_says(driven.output(), 'drive_robots: interrupted')
         assert read_text(runner.path('robots.csv')) == 'earlier'
 
-    def test_names_of_robots(self, runner):
-        """An empty name space counts as none, and with a name space no name is required."""
-        text = "robots:\n  - {radius: 0.3, namespace: a}\n  - {radius: 0.2, name: b, namespace: ''}\n"
-        file = pathlib.Path(runner.write('scenario.yaml', text))
-        assert launch_arguments(file, 'move_base')['robots'] == 'a b'
-
     @pytest.mark.parametrize('text, said', [
-        ('robots:\n  - {radius: 1, name: a}\n  - {radius: 1}\n', 'robots[1]: expected a name or a namespace'),
-        ('name: empty\n', 'expected a scenario with robots'),
-        ('robots:\n  - {name: tug}\n', 'robots: expected the key radius for each robot')])
+        ('name: empty\n', 'expected a scenario with robots'), ('robots: tug\n', 'expected a scenario with robots'),
+        ('robots: []\n', 'expected a scenario with robots')])
     def test_scenarios_that_it_cannot_drive(self, runner, text, said):
         refused = self.drive(runner, runner.write('scenario.yaml', text))
         assert refused.wait() == 1, refused.output()

@@ -73,6 +73,15 @@ class PerceptionsBuilder {
     return *this;
   }
 
+  /// @brief Makes the last neighbour a robot that agents yield to. @param comfort [m] @param wanted agent frame [m/s]
+  PerceptionsBuilder& robot(double comfort, const Vector2& wanted = Vector2::Zero()) {
+    Neighbour neighbour = all_.neighbours[all_.neighbours.size() - 1];
+    neighbour.kind = NeighbourKind::ROBOT;
+    neighbour.intent = {comfort, wanted};
+    all_.neighbours.set(all_.neighbours.size() - 1, neighbour);
+    return *this;
+  }
+
   /// @brief Velocities of the agent and of its last neighbour in the last tick, agent frame [m/s].
   PerceptionsBuilder& velocity(const Vector2& own, const Vector2& of_body) {
     all_.agents.back().velocity = own;

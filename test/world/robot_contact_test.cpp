@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "social_crowd/errors.h"
@@ -60,7 +61,8 @@ TEST(RobotContact, ADiscGoesOnToTurnAtAWall) {
   EXPECT_TRUE(world.robots()[0].blocked);
   EXPECT_NEAR(world.robots()[0].pose.heading, 0.05, NEAR);
   EXPECT_EQ(world.robots()[0].twist.rotation, 0.5);
-  EXPECT_EQ(world.robots()[0].twist.linear, Vector2(0.0, 0.0));
+  EXPECT_NEAR(world.robots()[0].velocity.x(), 0.0, 1e-9);
+  EXPECT_NEAR(world.robots()[0].velocity.y(), std::sin(0.025), 1e-4);  // it was turned by 0.025 at the impact
 
   RobotStart car = robot({0.0, 0.0});
   car.drive = Drive::ACKERMANN;  // it turns on curves only
@@ -69,7 +71,54 @@ TEST(RobotContact, ADiscGoesOnToTurnAtAWall) {
   other.step({});
   EXPECT_TRUE(other.robots()[0].blocked);
   EXPECT_LT(other.robots()[0].pose.heading, 0.03);
-  EXPECT_EQ(other.robots()[0].twist.rotation, 0.0);
+  EXPECT_NEAR(other.robots()[0].twist.rotation, 0.5 * std::sin(0.025), 1e-4);  // in proportion to the speed
+}
+
+TEST(RobotContact, ARobotSlidesAlongAWall) {
+  // It drives at 60 degrees to the wall, whose line is 0.02 m in front of its rim, at 1 m/s: it meets it after
+  // 0.02 / sin(60) m, and slides at cos(60) m/s from then on.
+  const Vector2 ahead = unitVector(PI / 3.0);
+  const Scene at_wall = solid(with({robot({0.0, 0.0}, PI / 3.0)}, scene({}, {}, {{{-5.0, 0.32}, {5.0, 0.32}}})));
+  World world = afterTick(at_wall, true);
+  const double met = 0.02 / ahead.y();
+  EXPECT_NEAR(world.robots()[0].pose.position.y(), 0.02, NEAR);
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), met * 0.5 + (0.1 - met) * 0.5, NEAR);
+  EXPECT_NEAR(world.robots()[0].velocity.x(), 0.5, NEAR);
+  EXPECT_NEAR(world.robots()[0].velocity.y(), 0.0, NEAR);
+  EXPECT_NEAR(world.robots()[0].twist.linear.x(), 0.25, NEAR);
+  EXPECT_NEAR(world.robots()[0].twist.linear.y(), -0.5 * ahead.y(), NEAR);
+  EXPECT_TRUE(world.robots()[0].blocked);
+
+  // With the protective stop it stops.
+  Scene stopping = at_wall;
+  stopping.robots[0].yields = Yields::BOTH;
+  EXPECT_NEAR(afterTick(stopping, true).robots()[0].pose.position.x(), met * 0.5, NEAR);
+}
+
+TEST(RobotContact, ARobotThatSlidesNeverEntersAWallAndGetsOutOfACorner) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
+    RobotStart start = robot({0.0, 0.0}, random.uniform(-PI, PI));
+    start.drive = static_cast<Drive>(random.below(3));
+    start.limits = {random.uniform(0.3, 2.0), random.uniform(0.3, 2.0), 1e3, 1e3, 0.5};
+    if (seed % 2 == 0) start.footprint.corners = {{0.5, -0.3}, {0.5, 0.3}, {-0.2, 0.3}, {-0.2, -0.3}};
+    std::vector<Segment> walls = {
+        {{-1.0, -1.0}, {1.0, -1.0}}, {{1.0, -1.0}, {1.2, 1.0}}, {{1.2, 1.0}, {-1.0, 0.9}}, {{-1.0, 0.9}, {-1.0, -1.0}}};
+    walls.push_back({{0.7, 0.1}, {1.1, 0.0}});  // with an end in the room
+    World world(solid(with({start}, scene({}, {}, walls))));
+    for (int tick = 0; tick < 200; ++tick) {
+      if (tick % 20 == 0) {
+        const double speed = random.uniform(-2.0, 2.0);
+        world.robots().command(0, {{speed, random.uniform(-1.0, 1.0)}, random.uniform(-2.0, 2.0)});
+      }
+      world.step({});
+      const Robot& moved = world.robots()[0];
+      for (const Segment& wall : walls) {
+        ASSERT_FALSE(isCutBy(moved.start.footprint, moved.pose, wall, 1e-9)) << "tick " << tick;
+      }
+    }
+  }
 }
 
 TEST(RobotContact, WithAPersonWhoHasArrivedAndStays) {

@@ -19,6 +19,9 @@ std::string toField(Number value) {
   return std::to_string(value);
 }
 
+/// @brief A word as such a field.
+inline std::string toField(const std::string& word) { return word; }
+
 /// @brief The bits of a number: equal for the same double only.
 std::uint64_t bitsOf(double value);
 

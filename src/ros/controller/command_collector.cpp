@@ -39,9 +39,21 @@ CommandCounts CommandCollector::totals() const {
     totals.timeouts += counts.timeouts;
     totals.missed += counts.missed;
     totals.late += counts.late;
+    totals.newer += counts.newer;
     for (std::size_t i = 0; i < counts.refused.size(); ++i) totals.refused[i] += counts.refused[i];
   }
   return totals;
+}
+
+void CommandCollector::remove(RobotId robot) {
+  commands_.remove(robot);
+  warned_.clear();
+  warned_of_lateness_.clear();
+  std::map<RobotId, bool> abandoned;
+  for (const auto& [id, is_abandoned] : abandoned_) {
+    if (id != robot) abandoned[id > robot ? id - 1 : id] = is_abandoned;
+  }
+  abandoned_ = std::move(abandoned);
 }
 
 PublisherId CommandCollector::numberOf(const std::string& node) {
@@ -65,8 +77,6 @@ void CommandCollector::warnOfRefusal(RobotId robot, CommandRefusal cause, const 
   if (cause == CommandRefusal::OTHER_PUBLISHER) {
     const std::optional<PublisherId> holder = commands_.holderOf(robot, tick());
     reason = "node " + (holder ? publishers_[*holder] : std::string("?")) + " commands this robot";
-  } else if (cause == CommandRefusal::SECOND_IN_TICK) {
-    reason = "the robot has a command for this tick already";
   }
   ROS_WARN("robot '%s': a command of node %s is refused: %s. Further ones are only counted, on %s", name.c_str(),
            node.c_str(), reason.c_str(), names::ROBOTS);
@@ -111,7 +121,9 @@ bool CommandCollector::isAnyUnattended() const {
   if (held_) return false;
   return std::any_of(robots().begin(), robots().end(), [this](const Robot& robot) {
     const bool drives = robot.start.drive != Drive::EXTERNAL && robot.hasGoal() && !robot.hasArrived();
-    return drives && commands_.isUnattended(static_cast<RobotId>(&robot - robots().data()));
+    const auto id = static_cast<RobotId>(&robot - robots().data());
+    const auto abandoned = abandoned_.find(id);
+    return drives && commands_.isUnattended(id) && (abandoned == abandoned_.end() || !abandoned->second);
   });
 }
 

@@ -28,11 +28,20 @@ class CommandCollector {
 
   /// @brief Begins an episode, which must outlive the next call; a wait() in progress ends.
   void begin(Episode& episode);
+  /// @brief A robot has been added to the world, as the last one.
+  void add(const RobotStart& start) { commands_.add(start.cmd_timeout); }
+  /// @brief A robot has been removed from the world. @param robot its former id
+  void remove(RobotId robot);
+  /// @brief Whether commands are held, so that robots must not change.
+  bool isHolding() const { return held_.has_value(); }
   /// @brief The robots are other ones: warnings are repeated.
   void forgetWarnings() {
     warned_.clear();
     warned_of_lateness_.clear();
+    abandoned_.clear();
   }
+  /// @brief Whether nobody will command a robot any more, because its controller has crashed.
+  void abandon(RobotId robot, bool abandoned) { abandoned_[robot] = abandoned; }
   /// @brief Takes a command from a topic. @param node that published it
   void take(RobotId robot, const Twist& command, const std::string& node);
   const CommandCounts& countsOf(RobotId robot) const { return commands_.countsOf(robot); }
@@ -48,7 +57,8 @@ class CommandCollector {
   /// @brief Waits for the answers to the last scans of an episode, so that the next one does not take them for its own.
   /// @return false if another episode has begun or the node shuts down
   bool awaitLast();
-  /// @brief Whether a robot that is on its way to a goal has no controller in lockstep: it starts, or is absent.
+  /// @brief Whether a robot that is on its way to a goal has no controller in lockstep: it starts, or is absent, but is
+  /// not abandoned.
   bool isAnyUnattended() const;
 
   /// @brief Commands by the names of robots. @throws InputError that names what is wrong, or if there are no robots
@@ -78,6 +88,7 @@ class CommandCollector {
   std::vector<std::string> publishers_;  // of commands; the index is the PublisherId
   std::set<std::tuple<RobotId, CommandRefusal, PublisherId>> warned_;
   std::set<RobotId> warned_of_lateness_;
+  std::map<RobotId, bool> abandoned_;
   bool cancelled_ = false;
   Clock wait_until_;
 };

@@ -56,6 +56,7 @@ void readRobots(Parameters& parameters, ControllerParameters& read) {
   read.command_deadline = parameters.number("command_deadline", read.command_deadline, ControllerParameters::DEADLINE);
   read.command_period = parameters.number("command_period", read.command_period, ControllerParameters::COMMAND_PERIOD);
   read.publish_localisation = parameters.flag("publish_localisation", read.publish_localisation);
+  read.odometry_rate = parameters.number("odometry_rate", read.odometry_rate, ControllerParameters::ODOMETRY_RATE);
   read.visible_people_only = parameters.flag("visible_people_only", read.visible_people_only);
   if (read.robot_lockstep && !read.publish_clock) {
     parameters.complain("robot_lockstep", "needs ~publish_clock: true");

@@ -19,6 +19,7 @@ struct ControllerParameters {
   static constexpr NumberRange COMMAND_PERIOD{0.0, 3600.0, "s"};
   static constexpr NumberRange MISSES{1.0, 2147483647.0};
   static constexpr NumberRange AGENTS_RATE{0.0, 1e6, "Hz"};
+  static constexpr NumberRange ODOMETRY_RATE{0.0, 1e3, "Hz"};
 
   /// Files of ~scenario (file, or name in ~scenario_folder), else of ~config; one of these must be set.
   std::vector<std::string> scenarios;
@@ -40,6 +41,7 @@ struct ControllerParameters {
   double command_deadline = 0.5;     ///< ~command_deadline: timeout for these commands [s], wall clock
   double command_period = 0.0;       ///< ~command_period: simulated time between two of them [s]; 0: every tick
   bool publish_localisation = true;  ///< ~publish_localisation: map -> odom of the robots
+  double odometry_rate = 0.0;        ///< ~odometry_rate: of odom and tf of robots, simulated time [Hz]; 0: every tick
   bool visible_people_only = false;  ///< ~visible_people_only: people_poses and people of those that a scanner sees
   std::string trajectories;          ///< ~trajectories: folder of recordings; empty: none
   double diagnostic_period = DIAGNOSTIC_PERIOD;  ///< ~diagnostic_period [s]

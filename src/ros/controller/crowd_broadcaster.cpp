@@ -103,10 +103,7 @@ void CrowdBroadcaster::publishScenario(const Episode& episode, std::uint64_t ins
   message.instance = instance;
   publishLatched(scenario_, message);
   publishWalls(episode);
-  const std::shared_ptr<const OccupancyMap>& map = episode.scene().map;
-  if (map == map_published_) return;
-  publishMap(map != nullptr ? *map : OccupancyMap());
-  map_published_ = map;
+  publishMap(episode);
 }
 
 void CrowdBroadcaster::publishWalls(const Episode& episode) {
@@ -121,10 +118,13 @@ void CrowdBroadcaster::publishWalls(const Episode& episode) {
   publishLatched(walls_, message);
 }
 
-void CrowdBroadcaster::publishMap(const OccupancyMap& map) {
+void CrowdBroadcaster::publishMap(const Episode& episode) {
+  const std::shared_ptr<const OccupancyMap>& map = episode.scene().map;
+  if (map == map_published_) return;
+  map_published_ = map;
   if (!map_) map_ = node_.advertise<nav_msgs::OccupancyGrid>(names::MAP, 1, LATCHED);
   nav_msgs::OccupancyGrid message;
-  toMessage(map, message);
+  toMessage(map != nullptr ? *map : OccupancyMap(), message);
   message.header = header();
   message.info.map_load_time = message.header.stamp;
   publishLatched(map_, message);

@@ -35,6 +35,8 @@ class CrowdBroadcaster {
   void publishScenario(const Episode& episode, std::uint64_t instance);
   /// @brief Publishes the walls if they have changed since the last call, or are those of another episode.
   void publishWalls(const Episode& episode);
+  /// @brief Publishes the map if it is another one than at the last call; an empty one in place of one that is gone.
+  void publishMap(const Episode& episode);
   /// @param number of the episode
   void publishResult(const EpisodeResult& result, std::uint64_t number, std::uint64_t instance, std::uint64_t missed,
                      std::uint64_t dropped);
@@ -48,7 +50,6 @@ class CrowdBroadcaster {
   }
 
  private:
-  void publishMap(const OccupancyMap& map);
   bool isDueToPublishAgents() const;
   bool hasPublishedAgents(const Episode& episode) const;
   void publishStates(const Episode& episode);

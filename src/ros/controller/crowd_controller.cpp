@@ -129,16 +129,13 @@ Scene CrowdController::nextScene() const {
 void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
   std::vector<Segment> map_walls;
   std::shared_ptr<const OccupancyMap> map;
-  const Scene& scene = episode_->scene();
   try {
     if (message.header.frame_id != names::MAP_FRAME && !message.header.frame_id.empty()) {
       throw InputError("header.frame_id: expected 'map', got " + inQuotes(message.header.frame_id));
     }
     map = std::make_shared<const OccupancyMap>(fromMessage(message));
     map_walls = traceWalls(*map);
-    std::vector<Segment> walls(scene.walls.begin(), scene.walls.begin() + static_cast<std::ptrdiff_t>(scene.own_walls));
-    walls.insert(walls.end(), map_walls.begin(), map_walls.end());
-    episode_->edit().replaceWalls(std::move(walls));
+    episode_->edit().replaceMap(map, map_walls);
   } catch (const Error& error) {
     ROS_ERROR("the map on %s is not used: %s", parameters_.map_topic.c_str(), error.what());
     return;
@@ -146,6 +143,7 @@ void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
   map_ = std::move(map);
   map_walls_ = std::move(map_walls);
   broadcaster_.publishWalls(*episode_);
+  broadcaster_.publishMap(*episode_);
   ROS_INFO("map of %u x %u cells from %s: %zu walls", message.info.width, message.info.height,
            parameters_.map_topic.c_str(), map_walls_.size());
 }
@@ -203,6 +201,11 @@ void CrowdController::logResult(const EpisodeResult& result) {
   robots.add(result);
   if (!robots.text().empty())
     ROS_INFO("episode %lu, %s", static_cast<unsigned long>(episode_->number()), robots.text().c_str());
+  for (const RobotResult& robot : result.robots) {
+    if (robot.input.navigation == RobotInput().navigation) continue;
+    ROS_INFO("episode %lu, robot '%s': navigation: %s", static_cast<unsigned long>(episode_->number()),
+             robot.name.c_str(), robot.input.navigation.c_str());
+  }
   warnOfWays(result, "at its end");
 }
 

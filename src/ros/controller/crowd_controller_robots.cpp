@@ -1,10 +1,14 @@
 // Services of the crowd controller for robots.
 
+#include <social_crowd/RemoveRobot.h>
+#include <social_crowd/SpawnRobot.h>
+
 #include <memory>
 #include <utility>
 
 #include "ros/controller/crowd_controller.h"
 #include "ros/messages/names.h"
+#include "scenario/reading/robot_reader.h"
 
 namespace crowd {
 
@@ -32,6 +36,20 @@ std::future<void> CrowdController::beginRobotSteps(
 }
 
 void CrowdController::advertiseRobotServices() {
+  services_.serve<social_crowd::SpawnRobot>(names::SPAWN_ROBOT, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      const bool is_only = episode_->world().robots().empty();
+      const RobotStart start = readRobotStart(request.robot, episode_->scene().goal_tolerance, is_only);
+      robots_.add(start);
+      response.message = "robot " + start.name + " added at " + place();
+    });
+  });
+  services_.serve<social_crowd::RemoveRobot>(names::REMOVE_ROBOT, [this](const auto& request, auto& response) {
+    loop_.ask<void>([&] {
+      robots_.remove(request.robot);
+      response.message = "robot " + request.robot + " removed at " + place();
+    });
+  });
   services_.serve<social_crowd::StepRobots>(names::STEP_ROBOTS, [this](const auto& request, auto& response) {
     // Shared with the main loop, which may still write it when this call has ended because the node shuts down.
     const auto result = std::make_shared<social_crowd::StepRobots::Response>(response);

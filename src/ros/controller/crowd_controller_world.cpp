@@ -14,6 +14,7 @@
 #include <social_crowd/SpawnAgent.h>
 #include <social_crowd/SpawnObstacle.h>
 #include <social_crowd/Teleport.h>
+#include <social_crowd/TeleportRobot.h>
 
 #include "common/text/quotes.h"
 #include "ros/controller/crowd_controller.h"
@@ -144,6 +145,12 @@ void CrowdController::advertiseWorldServices() {
     editor.teleport(request.agent, {{request.pose.x, request.pose.y}, request.pose.theta});
     return "agent " + std::to_string(request.agent) + " moved at ";
   });
+  serveEdit<social_crowd::TeleportRobot>(
+      names::TELEPORT_ROBOT, [this](auto& editor, const auto& request, auto& /*response*/) {
+        const RobotId robot = episode_->world().robots().idOf(request.robot);
+        editor.teleportRobot(robot, {{request.pose.x, request.pose.y}, request.pose.theta});
+        return "robot " + request.robot + " moved at ";
+      });
   serveEdit<social_crowd::AddWall>(names::ADD_WALL, [](auto& editor, const auto& request, auto& response) {
     response.wall = static_cast<std::uint32_t>(editor.addWall({fromPoint(request.begin), fromPoint(request.end)}));
     return "wall " + std::to_string(response.wall) + " added at ";

@@ -112,6 +112,26 @@ void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message
   for (const RobotResult& robot : result.robots) message.robots.push_back(toMessage(robot));
 }
 
+namespace {
+
+social_crowd::RobotDescription descriptionOf(const RobotStart& robot) {
+  social_crowd::RobotDescription message;
+  message.name = robot.name;
+  message.name_space = robot.name_space;
+  message.drive = DRIVES.nameOf(robot.drive);
+  message.radius = robot.footprint.reach();
+  for (const Vector2& corner : robot.footprint.corners) message.footprint.push_back(toPoint(corner));
+  message.max_speed = robot.limits.max_speed;
+  message.max_rotation = robot.limits.max_rotation;
+  message.acceleration = robot.limits.max_acceleration;
+  message.rotation_acceleration = robot.limits.max_rotation_acceleration;
+  message.min_turning_radius = robot.limits.min_turning_radius;
+  message.goal_tolerance = robot.goal_tolerance;
+  return message;
+}
+
+}  // namespace
+
 void toMessage(const Scene& scene, const World& world, social_crowd::Scenario& message) {
   message.tick = world.tick();
   message.name = scene.name;
@@ -124,6 +144,9 @@ void toMessage(const Scene& scene, const World& world, social_crowd::Scenario& m
   toMessages(world.agents(), message.agents);
   message.obstacles = obstacleStates(world);
   toMessages(scene.walls, message.walls);
+  message.has_map = scene.map != nullptr ? 1 : 0;
+  message.robots.clear();
+  for (const RobotStart& robot : scene.robots) message.robots.push_back(descriptionOf(robot));
 }
 
 void toMessages(const std::vector<Segment>& walls, std::vector<social_crowd::Wall>& messages) {

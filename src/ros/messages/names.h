@@ -27,14 +27,17 @@ constexpr const char* TF = "/tf";                    ///< tf2_msgs/TFMessage; ab
 constexpr const char* ROBOTS = "robots";  ///< RobotStates: crowd_controller -> any node
 
 // Topics of a robot, in its namespace.
-constexpr const char* CMD_VEL = "cmd_vel";            ///< geometry_msgs/Twist: any node -> crowd_controller
-constexpr const char* ODOMETRY = "odom";              ///< nav_msgs/Odometry
-constexpr const char* SCAN = "scan";                  ///< sensor_msgs/LaserScan
-constexpr const char* SCAN_CLOUD = "scan_cloud";      ///< sensor_msgs/PointCloud2
-constexpr const char* GOAL = "goal";                  ///< geometry_msgs/PoseStamped, latched: its present goal
-constexpr const char* NEW_GOAL = "new_goal";          ///< geometry_msgs/PoseStamped: any node -> crowd_controller
+constexpr const char* CMD_VEL = "cmd_vel";        ///< geometry_msgs/Twist: any node -> crowd_controller
+constexpr const char* ODOMETRY = "odom";          ///< nav_msgs/Odometry
+constexpr const char* SCAN = "scan";              ///< sensor_msgs/LaserScan
+constexpr const char* SCAN_CLOUD = "scan_cloud";  ///< sensor_msgs/PointCloud2
+constexpr const char* POINTS = "points";          ///< sensor_msgs/PointCloud2, of robots with rings
+constexpr const char* GOAL = "goal";              ///< geometry_msgs/PoseStamped, latched: its present goal
+constexpr const char* NEW_GOAL = "new_goal";      ///< geometry_msgs/PoseStamped: any node -> crowd_controller
+constexpr const char* NEW_POSE = "new_pose";  ///< geometry_msgs/PoseWithCovarianceStamped: any node -> crowd_controller
 constexpr const char* PEOPLE_POSES = "people_poses";  ///< geometry_msgs/PoseArray
 constexpr const char* PEOPLE = "people";              ///< people_msgs/People, where people_msgs is installed
+constexpr const char* NAVIGATION = "navigation";      ///< std_msgs/String, latched: robot_crew -> crowd_controller
 constexpr const char* FOOTPRINT = "footprint";        ///< geometry_msgs/PolygonStamped
 
 /// @brief Returns the topic with the perceptions of one learner's agents: Perceptions, crowd_controller -> learner.
@@ -61,6 +64,9 @@ constexpr const char* ADD_SOURCE = "add_source";
 constexpr const char* ADD_GATE = "add_gate";
 constexpr const char* ALARM = "alarm";
 constexpr const char* TELEPORT = "teleport";
+constexpr const char* SPAWN_ROBOT = "spawn_robot";
+constexpr const char* REMOVE_ROBOT = "remove_robot";
+constexpr const char* TELEPORT_ROBOT = "teleport_robot";
 constexpr const char* ADD_WALL = "add_wall";
 constexpr const char* REMOVE_WALL = "remove_wall";
 constexpr const char* SPAWN_OBSTACLE = "spawn_obstacle";

@@ -1,5 +1,6 @@
 #include "ros/messages/tick_messages.h"
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -17,9 +18,10 @@ constexpr std::uint32_t NUMBER = sizeof(double);
 constexpr std::uint32_t COUNT = sizeof(std::uint32_t);
 constexpr std::uint32_t WIRE_NEIGHBOUR = 1 + 5 * NUMBER;
 constexpr std::uint32_t WIRE_WALL = 4 * NUMBER;
+constexpr std::uint32_t WIRE_INTENT = 3 * NUMBER;
 constexpr std::uint32_t WIRE_SELF = COUNT + 9 * NUMBER + COUNT + 3 + 4 * COUNT;
 constexpr std::uint32_t WIRE_ACTION = COUNT + 2 * NUMBER;
-constexpr std::uint32_t WIRE_PERCEPTIONS = 9 * NUMBER + 2 * COUNT + 3 + 3 * COUNT;  // without header and lists
+constexpr std::uint32_t WIRE_PERCEPTIONS = 9 * NUMBER + 2 * COUNT + 3 + 4 * COUNT;  // without header and lists
 constexpr std::uint32_t WIRE_ACTIONS = 3 * NUMBER + COUNT;                          // without header, name and list
 
 /// Writes numbers consecutively to a buffer. The size is reserved once per list.
@@ -159,6 +161,19 @@ void takeList(IStream& stream, std::vector<Element>& list, std::uint32_t size) {
   for (Element& element : list) take(reader, element);
 }
 
+void takeIntents(IStream& stream, NeighbourList& neighbours) {
+  std::uint32_t count = 0;
+  Reader reader = openList(stream, count, WIRE_INTENT);
+  for (std::size_t i = 0; i < neighbours.size() && count > 0; ++i) {
+    Neighbour neighbour = neighbours[i];
+    if (!isRobot(neighbour.kind)) continue;
+    reader.take(neighbour.intent.comfort);
+    reader.take(neighbour.intent.wanted);
+    neighbours.set(i, neighbour);
+    --count;
+  }
+}
+
 void takeNeighbours(IStream& stream, NeighbourList& neighbours) {
   std::uint32_t count = 0;
   Reader reader = openList(stream, count, WIRE_NEIGHBOUR);
@@ -171,6 +186,7 @@ struct Counts {
   std::uint32_t agents = 0;
   std::uint32_t neighbours = 0;
   std::uint32_t walls = 0;
+  std::uint32_t robots = 0;  // among the neighbours
 };
 
 /// Calls a function with the index of each agent that is serialised.
@@ -183,12 +199,18 @@ void forEachRow(const PerceptionsMessage& message, const Visit& visit) {
   }
 }
 
+std::size_t robotsAmong(const NeighbourSpan& neighbours) {
+  return static_cast<std::size_t>(std::count_if(neighbours.kinds(), neighbours.kinds() + neighbours.size(), isRobot));
+}
+
 Counts countsOf(const PerceptionsMessage& message) {
   Counts counts;
   forEachRow(message, [&, &agents = message.content().agents](std::size_t row) {
     ++counts.agents;
     counts.neighbours += agents[row].neighbour_count;
     counts.walls += agents[row].wall_count;
+    const NeighbourSpan neighbours = Perception(message.content(), row).neighbours;
+    if (neighbours.hasObstacles()) counts.robots += static_cast<std::uint32_t>(robotsAmong(neighbours));
   });
   return counts;
 }
@@ -212,6 +234,15 @@ void putLists(OStream& stream, const PerceptionsMessage& message) {
   Writer walls = beginList(stream, counts.walls, WIRE_WALL);
   forEachRow(message, [&](std::size_t row) {
     for (const Segment& wall : Perception(content, row).walls) put(walls, wall);
+  });
+  Writer robots = beginList(stream, counts.robots, WIRE_INTENT);
+  if (counts.robots == 0) return;
+  forEachRow(message, [&](std::size_t row) {
+    for (const Neighbour& neighbour : Perception(content, row).neighbours) {
+      if (!isRobot(neighbour.kind)) continue;
+      robots.put(neighbour.intent.comfort);
+      robots.put(neighbour.intent.wanted);
+    }
   });
 }
 
@@ -277,12 +308,13 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   crowd::takeList(stream, content.agents, crowd::WIRE_SELF);
   crowd::takeNeighbours(stream, content.neighbours);
   crowd::takeList(stream, content.walls, crowd::WIRE_WALL);
+  crowd::takeIntents(stream, content.neighbours);
 }
 
 std::uint32_t Serializer<PerceptionsMessage>::serializedLength(const PerceptionsMessage& message) {
   const crowd::Counts counts = crowd::countsOf(message);
-  const std::uint32_t lists =
-      counts.agents * crowd::WIRE_SELF + counts.neighbours * crowd::WIRE_NEIGHBOUR + counts.walls * crowd::WIRE_WALL;
+  const std::uint32_t lists = counts.agents * crowd::WIRE_SELF + counts.neighbours * crowd::WIRE_NEIGHBOUR +
+                              counts.walls * crowd::WIRE_WALL + counts.robots * crowd::WIRE_INTENT;
   return serializationLength(message.header) + crowd::WIRE_PERCEPTIONS + lists;
 }
 

@@ -1,15 +1,23 @@
 #include "ros/robots/robot_interface.h"
 
+#include <tf2/utils.h>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "common/text/numbers.h"
+#include "common/text/quotes.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
 #include "ros/messages/topic_defaults.h"
+#include "social_crowd/errors.h"
 
 namespace crowd {
 namespace {
+
+// On the topic names::NAVIGATION.
+constexpr const char* NAVIGATION_RUNNING = "running";
+constexpr const char* NAVIGATION_CRASHED = "crashed";
 
 std::vector<std::string> identitiesOf(const std::vector<Robot>& robots) {
   std::vector<std::string> identities;
@@ -30,6 +38,7 @@ RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, cons
       clock_(clock),
       publish_localisation_(parameters.publish_localisation),
       visible_people_only_(parameters.visible_people_only),
+      odometry_rate_(parameters.odometry_rate),
       commands_(loop, parameters),
       poses_(node, std::move(clock)) {}
 
@@ -39,6 +48,7 @@ void RobotInterface::begin(Episode& episode) {
   contacts_.clear();
   scanned_changes_ = episode.changes();
   commands_.begin(episode);
+  for (RobotId id = 0; id < navigation_.size(); ++id) has_crashed_[id] = navigation_[id] == NAVIGATION_CRASHED;
   if (identitiesOf(robots()) != advertised_) advertise();
   poses_.begin(episode);
   for (RobotId id = 0; id < robots().size(); ++id) topics_[id]->begin(robots()[id].start);
@@ -47,15 +57,73 @@ void RobotInterface::begin(Episode& episode) {
 void RobotInterface::advertise() {
   advertised_ = identitiesOf(robots());
   topics_.clear();
+  navigation_.assign(robots().size(), "");
+  has_crashed_.assign(robots().size(), false);
   commands_.forgetWarnings();
   poses_.subscribe(*episode_);
-  for (RobotId id = 0; id < robots().size(); ++id) {
-    RobotTopics::Handlers handlers;
-    handlers.command = [this, id](const Twist& command, const std::string& node) { commands_.take(id, command, node); };
-    handlers.goal = [this, id](const geometry_msgs::PoseStamped& goal) { takeGoal(id, goal); };
-    topics_.push_back(
-        std::make_unique<RobotTopics>(node_, robots()[id].start, id, visible_people_only_, std::move(handlers)));
-  }
+  for (RobotId id = 0; id < robots().size(); ++id) topics_.push_back(topicsOf(robots()[id].start, id));
+  advertiseAll();
+}
+
+/// Handlers know the robot by its name: its id changes when one before it is removed.
+std::unique_ptr<RobotTopics> RobotInterface::topicsOf(const RobotStart& start, RobotId id) {
+  const auto present = [this, name = start.name] { return episode_->world().robots().idOf(name); };
+  RobotTopics::Handlers handlers;
+  handlers.command = [this, present](const auto& command, const auto& node) {
+    commands_.take(present(), command, node);
+  };
+  handlers.goal = [this, present](const auto& goal) { takeGoal(present(), goal); };
+  handlers.pose = [this, present](const auto& pose) { takePose(present(), pose); };
+  handlers.navigation = [this, present](const auto& state) { noteNavigation(present(), state); };
+  return std::make_unique<RobotTopics>(node_, start, id, visible_people_only_, std::move(handlers));
+}
+
+void RobotInterface::requireFreeHands() const {
+  if (commands_.isHolding()) throw InputError("steps of robots are in progress");
+}
+
+void RobotInterface::add(const RobotStart& start) {
+  requireFreeHands();
+  const RobotId id = episode_->edit().addRobot(start);
+  senses_->add(start);
+  commands_.add(start);
+  navigation_.emplace_back();
+  has_crashed_.push_back(false);
+  topics_.push_back(topicsOf(start, id));
+  noteRobots();
+  const ros::Time now = clock_();
+  topics_.back()->publishGoal(robots()[id], now, true);
+  publishTransforms(now);
+  publishMounts(now);
+}
+
+void RobotInterface::remove(const std::string& name) {
+  requireFreeHands();
+  const RobotId id = episode_->world().robots().idOf(name);
+  episode_->edit().removeRobot(id);
+  senses_->remove(id);
+  commands_.remove(id);
+  navigation_.erase(navigation_.begin() + id);
+  has_crashed_.erase(has_crashed_.begin() + id);
+  last_odometry_.erase(last_odometry_.begin() + id);
+  last_odom_.erase(last_odom_.begin() + id);
+  topics_.erase(topics_.begin() + id);
+  for (RobotId later = id; later < topics_.size(); ++later) topics_[later]->setId(later);
+  noteRobots();
+  if (states_ && states_.getNumSubscribers() > 0) states_.publish(states(clock_()));
+}
+
+void RobotInterface::noteRobots() {
+  advertised_ = identitiesOf(robots());
+  poses_.subscribe(*episode_);
+  poses_.begin(*episode_);
+  scanned_changes_ = episode_->changes();
+  senses_->forgetScans();
+  advertiseAll();
+}
+
+/// The topics of all robots together.
+void RobotInterface::advertiseAll() {
   if (robots().empty() || transforms_) return;
   transforms_.emplace();
   static_transforms_.emplace();
@@ -65,19 +133,47 @@ void RobotInterface::advertise() {
                                                        });
 }
 
-void RobotInterface::takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal) {
-  const std::string& name = robots()[robot].start.name;
-  const std::string& frame = goal.header.frame_id;
-  const Vector2 place = fromPoint(goal.pose.position);
-  if (frame != names::MAP_FRAME && !frame.empty()) {
-    ROS_WARN("robot '%s': a goal is refused: expected the frame map, got %s", name.c_str(), frame.c_str());
-  } else if (!place.allFinite()) {
-    ROS_WARN("robot '%s': a goal is refused: expected finite numbers, got %s", name.c_str(),
-             (toText(place.x()) + ", " + toText(place.y())).c_str());
-  } else {
-    episode_->robots().setGoals(robot, {place});
-    topics_[robot]->publishGoal(robots()[robot], clock_(), true);
+void RobotInterface::noteNavigation(RobotId robot, const std::string& state) {
+  const char* const name = robots()[robot].start.name.c_str();
+  if (state != NAVIGATION_RUNNING && state != NAVIGATION_CRASHED) {
+    ROS_WARN("robot '%s': %s: expected %s or %s, got %s", name, names::NAVIGATION, NAVIGATION_RUNNING,
+             NAVIGATION_CRASHED, inQuotes(state).c_str());
+    return;
   }
+  const bool has_crashed = state == NAVIGATION_CRASHED;
+  if (has_crashed && navigation_[robot] != state) ROS_ERROR("robot '%s': navigation: crashed", name);
+  navigation_[robot] = state;
+  has_crashed_[robot] = has_crashed_[robot] || has_crashed;
+  commands_.abandon(robot, has_crashed);
+}
+
+std::string RobotInterface::navigationOf(RobotId robot) const {
+  if (has_crashed_[robot]) return NAVIGATION_CRASHED;
+  return navigation_[robot].empty() ? RobotInput().navigation : navigation_[robot];
+}
+
+template <typename Change>
+bool RobotInterface::change(RobotId robot, const char* what, const std::string& frame, const Change& change) {
+  try {
+    if (frame != names::MAP_FRAME && !frame.empty()) throw InputError("expected the frame map, got " + frame);
+    change(episode_->edit());
+  } catch (const InputError& error) {
+    ROS_WARN("robot '%s': a %s is refused: %s", robots()[robot].start.name.c_str(), what, error.what());
+    return false;
+  }
+  return true;
+}
+
+void RobotInterface::takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal) {
+  const auto send = [&](EpisodeEditor editor) { editor.sendRobot(robot, fromPoint(goal.pose.position)); };
+  if (!change(robot, "goal", goal.header.frame_id, send)) return;
+  topics_[robot]->publishGoal(robots()[robot], clock_(), true);
+}
+
+void RobotInterface::takePose(RobotId robot, const geometry_msgs::PoseWithCovarianceStamped& pose) {
+  change(robot, "pose", pose.header.frame_id, [&](EpisodeEditor editor) {
+    editor.teleportRobot(robot, {fromPoint(pose.pose.pose.position), tf2::getYaw(pose.pose.pose.orientation)});
+  });
 }
 
 bool RobotInterface::wait(const std::function<ros::Time()>& end) {
@@ -89,6 +185,7 @@ bool RobotInterface::wait(const std::function<ros::Time()>& end) {
 
 RobotInput RobotInterface::inputOf(RobotId robot) const {
   RobotInput input;
+  input.navigation = navigationOf(robot);
   const CommandCounts& commands = commands_.countsOf(robot);
   input.commands_taken = commands.taken;
   input.commands_missed = commands.missed;
@@ -129,6 +226,7 @@ void RobotInterface::publish(const ros::Time& now, bool begins) {
   if (robots().empty()) return;
   // Goals come before the scans, which controllers answer.
   for (RobotId robot = 0; robot < robots().size(); ++robot) topics_[robot]->publishGoal(robots()[robot], now, begins);
+  if (!begins) publishBetween(now);
   publishTransforms(now);
   if (begins) publishMounts(now);
   for (const auto& topics : topics_) topics->publish(episode_->world(), *senses_, now);
@@ -137,10 +235,34 @@ void RobotInterface::publish(const ros::Time& now, bool begins) {
 
 void RobotInterface::publishTransforms(const ros::Time& now) {
   std::vector<geometry_msgs::TransformStamped> transforms;
+  last_odometry_.clear();
+  last_odom_.clear();
   for (RobotId robot = 0; robot < robots().size(); ++robot) {
-    topics_[robot]->addTransforms(robots()[robot], senses_->odometry(robot), now, publish_localisation_, transforms);
+    const Odometry& odometry = senses_->odometry(robot);
+    const Pose odom = composedPose(robots()[robot].pose, relativePose(odometry.pose, Pose()));
+    last_odometry_.push_back(odometry);
+    last_odom_.push_back(publish_localisation_ ? std::optional(odom) : std::nullopt);
+    topics_[robot]->addTransforms(last_odom_.back(), odometry, now, transforms);
   }
   if (!transforms.empty()) transforms_->sendTransform(transforms);
+}
+
+void RobotInterface::publishBetween(const ros::Time& now) {
+  const double tick = episode_->world().tickDuration();
+  const double count = std::max(1.0, std::round(tick * odometry_rate_));  // of times in a tick, its end included
+  between_.clear();
+  for (double i = 1.0; i < count; i += 1.0) {
+    const ros::Time time = now - ros::Duration(tick * (count - i) / count);
+    for (RobotId robot = 0; robot < robots().size(); ++robot) {
+      const Pose& from = last_odometry_[robot].pose;
+      const Twist twist = twistBetween(from, senses_->odometry(robot).pose, tick);
+      const Odometry odometry{drivePose(from, twist, tick * i / count), twist};
+      if (robots()[robot].start.drive == Drive::EXTERNAL) continue;
+      topics_[robot]->publishOdometry(odometry, senses_->covariance(robot), time);
+      topics_[robot]->addTransforms(last_odom_[robot], odometry, time, between_);
+    }
+  }
+  if (!between_.empty()) transforms_->sendTransform(between_);
 }
 
 void RobotInterface::publishMounts(const ros::Time& now) {
@@ -158,6 +280,7 @@ social_crowd::RobotStates RobotInterface::states(const ros::Time& now) const {
   message.tick = episode_->world().tick();
   for (RobotId robot = 0; robot < robots().size(); ++robot) {
     message.robots.push_back(toMessage(robots()[robot], robot));
+    message.robots.back().navigation = navigationOf(robot);
     writeCounts(commands_.countsOf(robot), message.robots.back());
     if (const auto poses = poses_.inputOf(robot)) writeCounts(*poses, message.robots.back());
   }

@@ -34,6 +34,10 @@ class RobotInterface {
 
   /// @brief Begins an episode, which must outlive the next call; a wait() in progress ends.
   void begin(Episode& episode);
+  /// @brief Adds a robot to the episode. @throws InputError, see EpisodeEditor::addRobot(), or during beginSteps()
+  void add(const RobotStart& start);
+  /// @brief Removes a robot from the episode. @throws InputError, see EpisodeEditor::removeRobot(), or as above
+  void remove(const std::string& name);
   /// @brief The commands of the coming tick are awaited from now on.
   void ask() { commands_.ask(); }
   /// @brief Waits for the commands of the tick and moves external robots. @return see CommandCollector::wait()
@@ -63,8 +67,20 @@ class RobotInterface {
   const std::vector<Robot>& robots() const { return episode_->world().robots().list(); }
   RobotInput inputOf(RobotId robot) const;
   void advertise();
+  std::unique_ptr<RobotTopics> topicsOf(const RobotStart& start, RobotId id);
+  void requireFreeHands() const;
+  void noteRobots();
+  void advertiseAll();
+  void noteNavigation(RobotId robot, const std::string& state);
+  std::string navigationOf(RobotId robot) const;
+  void takePose(RobotId robot, const geometry_msgs::PoseWithCovarianceStamped& pose);
+  /// Lets a user change a robot; a warning says why that is refused. @param what is sent @param frame of it
+  template <typename Change>
+  bool change(RobotId robot, const char* what, const std::string& frame, const Change& change);
   void takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal);
   void publishTransforms(const ros::Time& now);
+  /// Publishes odometry and transforms at times of the last tick, at ~odometry_rate.
+  void publishBetween(const ros::Time& now);
   void publishMounts(const ros::Time& now);
   social_crowd::RobotStates states(const ros::Time& now) const;
 
@@ -72,13 +88,19 @@ class RobotInterface {
   std::function<ros::Time()> clock_;
   const bool publish_localisation_;
   const bool visible_people_only_;
+  const double odometry_rate_;
   Episode* episode_ = nullptr;
   std::unique_ptr<RobotSenses> senses_;
   std::uint64_t scanned_changes_ = 0;                // Episode::changes() at the last scans
   std::vector<std::vector<RobotContact>> contacts_;  // by robot; empty: they are not collected
   CommandCollector commands_;
   PoseCollector poses_;
-  std::vector<std::string> advertised_;  // names and namespaces of the robots
+  std::vector<Odometry> last_odometry_;                   // by robot: that of the tick before
+  std::vector<std::optional<Pose>> last_odom_;            // by robot: map -> odom that was published in the tick before
+  std::vector<geometry_msgs::TransformStamped> between_;  // scratch
+  std::vector<std::string> navigation_;                   // by robot: what it has said last; empty: nothing
+  std::vector<bool> has_crashed_;                         // by robot: its navigation, in this episode or before
+  std::vector<std::string> advertised_;                   // names and namespaces of the robots
   std::vector<std::unique_ptr<RobotTopics>> topics_;
   ros::Publisher states_;
   std::optional<tf2_ros::TransformBroadcaster> transforms_;

@@ -129,6 +129,35 @@ sensor_msgs::PointCloud2 toCloud(const ScanSpec& spec, const std::vector<float>&
   return cloud;
 }
 
+sensor_msgs::PointCloud2 toCloud(const std::vector<ScanPoint>& points) {
+  using sensor_msgs::PointField;
+  sensor_msgs::PointCloud2 cloud;
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2Fields(5, "x", 1, PointField::FLOAT32, "y", 1, PointField::FLOAT32, "z", 1,
+                                PointField::FLOAT32, "intensity", 1, PointField::FLOAT32, "ring", 1,
+                                PointField::UINT16);
+  modifier.resize(points.size());
+  sensor_msgs::PointCloud2Iterator<float> x(cloud, "x");
+  sensor_msgs::PointCloud2Iterator<float> y(cloud, "y");
+  sensor_msgs::PointCloud2Iterator<float> z(cloud, "z");
+  sensor_msgs::PointCloud2Iterator<float> intensity(cloud, "intensity");
+  sensor_msgs::PointCloud2Iterator<std::uint16_t> ring(cloud, "ring");
+  for (const ScanPoint& point : points) {
+    *x = point.x;
+    *y = point.y;
+    *z = point.z;
+    *intensity = point.intensity;
+    *ring = point.ring;
+    ++x;
+    ++y;
+    ++z;
+    ++intensity;
+    ++ring;
+  }
+  cloud.is_dense = 1;
+  return cloud;
+}
+
 geometry_msgs::Polygon toMessage(const Footprint& footprint) {
   std::vector<Vector2> corners = footprint.corners;
   for (int i = 0; footprint.isDisc() && i < DISC_CORNERS; ++i) {
@@ -169,7 +198,7 @@ void writeCounts(const CommandCounts& counts, social_crowd::RobotState& message)
   message.command_timeouts = counts.timeouts;
   message.commands_not_finite = refused(CommandRefusal::NOT_FINITE);
   message.commands_of_others = refused(CommandRefusal::OTHER_PUBLISHER);
-  message.commands_repeated = refused(CommandRefusal::SECOND_IN_TICK);
+  message.commands_repeated = counts.newer;
 }
 
 void writeCounts(const PoseInput& input, social_crowd::RobotState& message) {

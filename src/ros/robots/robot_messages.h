@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "robots/ring_scan.h"
 #include "robots/robot_commands.h"
 #include "robots/robot_observation.h"
 #include "robots/robot_senses.h"
@@ -48,6 +49,8 @@ nav_msgs::Odometry toMessage(const Odometry& odometry, const OdometryCovariance&
 sensor_msgs::LaserScan toMessage(const ScanSpec& spec, const std::vector<float>& ranges, double tick_duration);
 /// @brief The points that rays hit, at height 0 of the sensor frame.
 sensor_msgs::PointCloud2 toCloud(const ScanSpec& spec, const std::vector<float>& ranges);
+/// @brief Points of several rings, with the fields x, y, z, intensity and ring.
+sensor_msgs::PointCloud2 toCloud(const std::vector<ScanPoint>& points);
 /// @brief Corners of the robot, in its base frame; of a disc, of a polygon around it.
 geometry_msgs::Polygon toMessage(const Footprint& footprint);
 

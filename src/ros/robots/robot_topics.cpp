@@ -4,6 +4,8 @@
 #include <people_msgs/People.h>
 #endif
 
+#include <std_msgs/String.h>
+
 #include <utility>
 
 #include "ros/messages/conversions.h"
@@ -61,6 +63,7 @@ RobotTopics::RobotTopics(const ros::NodeHandle& node, const RobotStart& start, R
   if (!is_external) odometry_ = own.advertise<nav_msgs::Odometry>(names::ODOMETRY, QUEUE);
   scan_ = own.advertise<sensor_msgs::LaserScan>(names::SCAN, QUEUE);
   cloud_ = own.advertise<sensor_msgs::PointCloud2>(names::SCAN_CLOUD, QUEUE);
+  if (start.scan.rings > 0) points_ = own.advertise<sensor_msgs::PointCloud2>(names::POINTS, QUEUE);
   people_poses_ = own.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE);
 #ifdef SOCIAL_CROWD_PEOPLE_MSGS
   people_ = own.advertise<people_msgs::People>(names::PEOPLE, QUEUE);
@@ -77,6 +80,14 @@ RobotTopics::RobotTopics(const ros::NodeHandle& node, const RobotStart& start, R
   const boost::function<void(const geometry_msgs::PoseStamped::ConstPtr&)> set =
       [goal = std::move(handlers.goal)](const geometry_msgs::PoseStamped::ConstPtr& message) { goal(*message); };
   new_goals_ = own.subscribe<geometry_msgs::PoseStamped>(names::NEW_GOAL, QUEUE, set);
+  const boost::function<void(const std_msgs::String::ConstPtr&)> note =
+      [navigation = std::move(handlers.navigation)](const std_msgs::String::ConstPtr& state) {
+        navigation(state->data);
+      };
+  const boost::function<void(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr&)> place =
+      [pose = std::move(handlers.pose)](const auto& message) { pose(*message); };
+  new_poses_ = own.subscribe<geometry_msgs::PoseWithCovarianceStamped>(names::NEW_POSE, QUEUE, place);
+  navigation_ = own.subscribe<std_msgs::String>(names::NAVIGATION, QUEUE, note);
 }
 
 std_msgs::Header RobotTopics::header(const std::string& frame, const ros::Time& now) const {
@@ -87,7 +98,7 @@ std_msgs::Header RobotTopics::header(const std::string& frame, const ros::Time& 
 }
 
 void RobotTopics::publish(const World& world, RobotSenses& senses, const ros::Time& now) {
-  publishOdometry(senses, now);
+  publishOdometry(senses.odometry(id_), senses.covariance(id_), now);
   publishScan(world, senses, now);
   publishPeople(world, senses, now);
   if (footprint_.getNumSubscribers() > 0) {
@@ -98,12 +109,13 @@ void RobotTopics::publish(const World& world, RobotSenses& senses, const ros::Ti
   }
 }
 
-void RobotTopics::publishOdometry(const RobotSenses& senses, const ros::Time& now) {
+void RobotTopics::publishOdometry(const Odometry& odometry, const OdometryCovariance& covariance,
+                                  const ros::Time& time) {
   if (odometry_.getNumSubscribers() == 0) return;
-  nav_msgs::Odometry odometry = toMessage(senses.odometry(id_), senses.covariance(id_));
-  odometry.header = header(names::ODOM_FRAME, now);
-  odometry.child_frame_id = prefix_ + names::BASE_FRAME;
-  odometry_.publish(odometry);
+  nav_msgs::Odometry message = toMessage(odometry, covariance);
+  message.header = header(names::ODOM_FRAME, time);
+  message.child_frame_id = prefix_ + names::BASE_FRAME;
+  odometry_.publish(message);
 }
 
 void RobotTopics::publishScan(const World& world, RobotSenses& senses, const ros::Time& now) {
@@ -115,6 +127,11 @@ void RobotTopics::publishScan(const World& world, RobotSenses& senses, const ros
     sensor_msgs::PointCloud2 cloud = toCloud(start_.scan, senses.ranges(world, id_));
     cloud.header = header(names::LASER_FRAME, now);
     cloud_.publish(cloud);
+  }
+  if (points_ && points_.getNumSubscribers() > 0) {
+    sensor_msgs::PointCloud2 points = toCloud(senses.points(world, id_));
+    points.header = header(names::LASER_FRAME, now);
+    points_.publish(points);
   }
 }
 
@@ -159,18 +176,20 @@ void RobotTopics::publishGoal(const Robot& robot, const ros::Time& now, bool beg
   publishLatched(goals_, message);
 }
 
-void RobotTopics::addTransforms(const Robot& robot, const Odometry& odometry, const ros::Time& now, bool localised,
+void RobotTopics::addTransforms(const std::optional<Pose>& odom_in_map, const Odometry& odometry, const ros::Time& time,
                                 std::vector<geometry_msgs::TransformStamped>& transforms) const {
   if (start_.drive == Drive::EXTERNAL) return;
-  if (localised) {
-    transforms.push_back(toTransform(header(names::MAP_FRAME, now), prefix_ + names::ODOM_FRAME,
-                                     composedPose(robot.pose, relativePose(odometry.pose, Pose()))));
+  if (odom_in_map) {
+    transforms.push_back(toTransform(header(names::MAP_FRAME, time), prefix_ + names::ODOM_FRAME, *odom_in_map));
   }
-  transforms.push_back(toTransform(header(names::ODOM_FRAME, now), prefix_ + names::BASE_FRAME, odometry.pose));
+  transforms.push_back(toTransform(header(names::ODOM_FRAME, time), prefix_ + names::BASE_FRAME, odometry.pose));
 }
 
 geometry_msgs::TransformStamped RobotTopics::mountTransform(const ros::Time& now) const {
-  return toTransform(header(names::BASE_FRAME, now), prefix_ + names::LASER_FRAME, start_.scan.mount);
+  geometry_msgs::TransformStamped mount =
+      toTransform(header(names::BASE_FRAME, now), prefix_ + names::LASER_FRAME, start_.scan.mount);
+  mount.transform.translation.z = start_.scan.height;
+  return mount;
 }
 
 }  // namespace crowd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 
@@ -23,6 +24,8 @@ class RobotTopics {
   struct Handlers {
     std::function<void(const Twist& command, const std::string& node)> command;
     std::function<void(const geometry_msgs::PoseStamped& goal)> goal;
+    std::function<void(const std::string& state)> navigation;
+    std::function<void(const geometry_msgs::PoseWithCovarianceStamped& pose)> pose;
   };
 
   /// @param node whose callbacks the main loop serves @param visible_people_only people that the scanner does not see
@@ -30,6 +33,8 @@ class RobotTopics {
   RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, bool visible_people_only,
               Handlers handlers);
 
+  /// @brief The robot has another id now.
+  void setId(RobotId id) { id_ = id; }
   /// @brief Publishes what subscribers see of the robot after a tick; its scan if it is due.
   void publish(const World& world, RobotSenses& senses, const ros::Time& now);
   /// @brief Publishes the present goal again, if it has changed or an episode begins.
@@ -37,8 +42,10 @@ class RobotTopics {
   /// @brief An episode begins. @param start of a robot of the same name and namespace
   void begin(const RobotStart& start) { start_ = start; }
 
-  /// @brief Appends the transforms map -> odom (with `localised`) -> base_link.
-  void addTransforms(const Robot& robot, const Odometry& odometry, const ros::Time& now, bool localised,
+  /// @brief Publishes the odometry of a time for subscribers.
+  void publishOdometry(const Odometry& odometry, const OdometryCovariance& covariance, const ros::Time& time);
+  /// @brief Appends the transforms map -> odom, if it is given, and odom -> base_link.
+  void addTransforms(const std::optional<Pose>& odom_in_map, const Odometry& odometry, const ros::Time& time,
                      std::vector<geometry_msgs::TransformStamped>& transforms) const;
   /// @brief The transform base_link -> laser, which never changes.
   geometry_msgs::TransformStamped mountTransform(const ros::Time& now) const;
@@ -49,7 +56,6 @@ class RobotTopics {
 
  private:
   void publishScan(const World& world, RobotSenses& senses, const ros::Time& now);
-  void publishOdometry(const RobotSenses& senses, const ros::Time& now);
   void publishPeople(const World& world, RobotSenses& senses, const ros::Time& now);
   std_msgs::Header header(const std::string& frame, const ros::Time& now) const;
 
@@ -61,12 +67,15 @@ class RobotTopics {
   ros::Publisher odometry_;
   ros::Publisher scan_;
   ros::Publisher cloud_;
+  ros::Publisher points_;  // of a robot with rings
   ros::Publisher people_poses_;
   ros::Publisher people_;  // people_msgs/People; unused without people_msgs
   ros::Publisher footprint_;
   ros::Publisher goals_;
   ros::Subscriber commands_;
   ros::Subscriber new_goals_;
+  ros::Subscriber navigation_;
+  ros::Subscriber new_poses_;
 };
 
 }  // namespace crowd

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <string>
 
 #include "common/text/quotes.h"
@@ -43,6 +44,7 @@ void readDrive(const YamlMap& map, const Units& units, RobotStart& start) {
 
 void readCourtesy(const YamlMap& map, RobotStart& start) {
   start.perceived = map.flag("perceived", true);
+  start.comfort = map.number("comfort", limits::DISTANCE_OR_0, DEFAULT_COMFORT);
   start.yields = YIELDS.read(map, start.perceived ? Yields::CROWD : Yields::NOBODY);
   if (start.perceived || !doesCrowdYield(start.yields)) return;
   throwProblem(map.placeOf("yields"), map.need("yields"),
@@ -72,7 +74,8 @@ void readScan(const YamlMap& parent, ScanSpec& scan) {
   const YAML::Node node = parent.find("scan");
   if (!node) return;
   const YamlMap map(node, parent.placeOf("scan"),
-                    {"rays", "angles", "range", "position", "heading", "noise", "dropout", "period", "people"});
+                    {"rays", "angles", "range", "position", "heading", "noise", "dropout", "period", "people", "rings",
+                     "elevations", "height"});
   scan.rays = static_cast<std::uint32_t>(map.whole("rays", 1, limits::RAYS, scan.rays));
   const Range angles = readPair(map, "angles", NumberRule::ANY, {-180.0, 180.0});
   if (angles.high - angles.low > 360.0) throwExpected(map.placeOf("angles"), map.need("angles"), "at most 360 degrees");
@@ -89,6 +92,13 @@ void readScan(const YamlMap& parent, ScanSpec& scan) {
   scan.dropout = map.number("dropout", NumberRule::FRACTION, scan.dropout);
   scan.period = map.number("period", NumberRule::NOT_NEGATIVE, scan.period);
   scan.people = SEEN_PEOPLE.read(map, scan.people);
+  scan.rings = static_cast<std::uint32_t>(map.whole("rings", 0, limits::RINGS, scan.rings));
+  const NumberLimit elevation{NumberRule::ANY, 89.0, "degrees"};
+  const Range elevations = readPair(map, "elevations", elevation, {-15.0, 15.0});
+  scan.lowest_ring = toRadians(elevations.low);
+  scan.highest_ring = toRadians(elevations.high);
+  scan.height = map.number("height", limits::DISTANCE_OR_0, scan.height);
+  if (scan.rings > 0 && scan.height <= 0.0) throwProblem(map.place(), node, "rings need a height above 0 m");
 }
 
 /// The places of a route that a robot can follow.
@@ -136,6 +146,7 @@ RobotGroup readRobot(const YAML::Node& node, const YamlPlace& place, const Units
                      "goal_tolerance",
                      "perceived",
                      "yields",
+                     "comfort",
                      "odometry",
                      "scan",
                      "pose_from"});
@@ -207,6 +218,30 @@ std::vector<RobotGroup> readRobots(const YamlMap& map, const Units& units, doubl
     }
   }
   return robots;
+}
+
+RobotStart readRobotStart(const std::string& entry, double goal_tolerance, bool is_only) {
+  YAML::Node node;
+  try {
+    node = YAML::Load(entry);
+  } catch (const YAML::Exception& error) {
+    throw InputError(std::string("robot: ") + error.what());
+  }
+  const YamlPlace place = YamlPlace().child("robot");
+  const RobotGroup group = readRobot(node, place, Units(), goal_tolerance, PopulationDescription());
+  const bool is_fixed = group.position.isFixed() && (!group.heading || group.heading->isFixed()) &&
+                        std::all_of(group.goals.begin(), group.goals.end(), std::mem_fn(&Region::isFixed));
+  if (!is_fixed) throwProblem(place, node, "expected a fixed position, heading and goals");
+  RobotStart start = group.start;
+  start.position = group.position.first;
+  for (const Region& goal : group.goals) start.goals.push_back(goal.first);
+  if (group.heading) {
+    start.heading = wrapAngle(group.heading->low);
+  } else if (!start.goals.empty()) {
+    start.heading = bearingOf(start.goals.front() - start.position);
+  }
+  if (!is_only && !node["namespace"]) start.name_space = start.name;
+  return start;
 }
 
 }  // namespace crowd

@@ -28,7 +28,9 @@ std::string scanText(const ScanSpec& scan) {
          entry("range", "[" + toText(scan.min_range) + ", " + toText(scan.max_range) + "]") +
          entry("position", pointText(scan.mount.position)) + entry("heading", degreesText(scan.mount.heading)) +
          number("noise", scan.noise) + number("dropout", scan.dropout) + number("period", scan.period) +
-         entry("people", SEEN_PEOPLE.nameOf(scan.people)) + "}";
+         entry("people", SEEN_PEOPLE.nameOf(scan.people)) + entry("rings", std::to_string(scan.rings)) +
+         entry("elevations", "[" + degreesText(scan.lowest_ring) + ", " + degreesText(scan.highest_ring) + "]") +
+         number("height", scan.height) + "}";
 }
 
 std::string odometryText(const OdometrySpec& odometry) {
@@ -44,7 +46,8 @@ std::string entryOf(const RobotStart& robot) {
          (footprint.isDisc() ? number("radius", footprint.radius) : entry("footprint", pointsText(footprint.corners))) +
          limitsText(robot) + number("cmd_timeout", robot.cmd_timeout) + number("goal_tolerance", robot.goal_tolerance) +
          entry("perceived", robot.perceived ? "true" : "false") + entry("yields", YIELDS.nameOf(robot.yields)) +
-         entry("odometry", odometryText(robot.odometry)) + entry("scan", scanText(robot.scan)) + "}\n";
+         number("comfort", robot.comfort) + entry("odometry", odometryText(robot.odometry)) +
+         entry("scan", scanText(robot.scan)) + "}\n";
 }
 
 }  // namespace
