@@ -72,7 +72,8 @@ class MoveBaseTest(RobotLaunchTestCase):
         return list(dict.fromkeys(goals))
 
     def test_goes_round_an_office_and_where_it_is_sent(self):
-        launched = self.drive('robot_lab.launch', navigation='move_base', scenario='office_courier', real_time_factor=20)
+        launched = self.drive('robot_lab.launch', navigation='move_base', scenario='office_courier',
+                              real_time_factor=20)
         self.wait_until_arrived(PATIENCE)
         self.assertEqual(len(self.goals()), 9)
         self.send_nav_goal(12.0, 8.3)

@@ -117,7 +117,8 @@ class RobotCrewTest(RobotLaunchTestCase):
         state.publish('crashed')  # a stack that was started elsewhere
         support.wait_for(lambda: self.robots()[0].navigation == 'crashed', 'the crash')
         state.publish('asleep')
-        support.wait_for(lambda: "navigation: expected running or crashed, got 'asleep'" in launched.output(), 'warning')
+        support.wait_for(lambda: "navigation: expected running or crashed, got 'asleep'" in launched.output(),
+                         'warning')
         self.assertEqual(launched.stop(), 0)
 
 

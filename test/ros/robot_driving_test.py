@@ -197,7 +197,8 @@ walls:'''
             publisher.publish(pose)
         support.wait_for(lambda: self.walk().pose.x == 3.0, 'the new place')
         self.assertEqual(self.walk().pose.theta, 0.0)
-        support.wait_for(lambda: 'a pose is refused: the place is taken by a wall' in self.controller.output(), 'warning')
+        support.wait_for(lambda: 'a pose is refused: the place is taken by a wall' in self.controller.output(),
+                         'warning')
 
     def test_robots_are_added_and_removed(self):
         self.start_all()

@@ -3,7 +3,6 @@ import csv
 import json
 import math
 import os
-import pathlib
 import re
 import shutil
 import subprocess
@@ -124,12 +123,6 @@ class TablesTest:
 SCENES = scene_files(find_config())
 
 
-def logs_robots():
-    """Returns whether `evaluate` has the option --robot-log."""
-    done = subprocess.run([os.path.join(tools_folder(), 'evaluate'), '--help'], capture_output=True, check=True)
-    return b'--robot-log' in done.stdout
-
-
 class ScenesTest:
     """config/scenarios/robots."""
 
@@ -232,7 +225,6 @@ class WorstEpisodesTest:
         found = [(row.identity.scenario, row.identity.episode) for row, _ in worst_rows(columns, rows)]
         assert found == [('c', '0'), ('a', '1'), ('b', '0'), ('d', '0')]
 
-    @pytest.mark.skipif(not logs_robots(), reason='`evaluate` writes no logs of robots')
     def test_page(self, runner):
         done = runner.start('robot_benchmark', [
             in_package('research', 'robot_benchmark'), '--robot', 'straight', '--scenes', 'robot_frontal',

@@ -89,8 +89,8 @@ class PictureTest:
 
     def test_paths_of_people_and_robots(self, runner, capsys):
         log = runner.write('log.jsonl', LOG)
-        scenario = runner.write('hall.yaml', 'name: hall\ntick: 0.5\nagents: []\nsources: [{area: {box: [[0, 0], [1, 1]]}, '
-                                'rate: 1, radius: 0.3, goal: [4, 0]}]\n'
+        scenario = runner.write('hall.yaml', 'name: hall\ntick: 0.5\nagents: []\nsources: [{area: {box: [[0, 0], '
+                                '[1, 1]]}, rate: 1, radius: 0.3, goal: [4, 0]}]\n'
                                 'robots: [{name: tug, position: [0, 0], radius: 0.4, max_speed: 4}]\n')
         picture = pathlib.Path(runner.path('paths.png'))
         paths_program.main(['--trajectories', str(log), '--scenario', str(scenario), '--output', str(picture)])
