@@ -30,10 +30,7 @@ const Scan& Scanner::scan(const Pose& sensor, const Span<ScanTarget>& targets, c
   scan_.hits.assign(rays_.size(), NO_HIT);
   for (const ScanTarget& target : targets) castAt(target);
   for (const ScanEdge& edge : edges) castAt(edge);
-  for (std::size_t i = 0; i < rays_.size(); ++i) {
-    note(i, walls.firstHit(rays_[i], std::min(scan_.distances[i], std::nextafter(spec_.max_range, INFINITE))),
-         WALL_HIT);
-  }
+  castAt(walls);
   return scan_;
 }
 
@@ -61,9 +58,27 @@ void Scanner::castAt(const ScanTarget& target) {
                  [&](std::size_t i) { note(i, distanceAlong(rays_[i], target.centre, target.radius), target.body); });
 }
 
+void Scanner::castAt(const WallIndex& walls) {
+  // Few walls take less time each for the rays between its ends than all of them for each ray.
+  if (walls.walls().size() <= WallIndex::FEW) {
+    for (const Segment& wall : walls.walls()) castAt(ScanEdge{wall, WALL_HIT});
+    return;
+  }
+  const double limit = std::nextafter(spec_.max_range, INFINITE);
+  for (std::size_t i = 0; i < rays_.size(); ++i) {
+    note(i, walls.firstHit(rays_[i], std::min(scan_.distances[i], limit)), WALL_HIT);
+  }
+}
+
 void Scanner::castAt(const ScanEdge& edge) {
+  constexpr double AT_SCANNER = 1e-6;  // [m]: its bearings are not certain any more
   const Vector2& origin = rays_.front().origin;
-  if (distanceTo(edge.edge, origin) > spec_.max_range) return;
+  const double apart = distanceTo(edge.edge, origin);
+  if (apart > spec_.max_range + AT_SCANNER) return;
+  if (apart < AT_SCANNER) {
+    for (std::size_t i = 0; i < rays_.size(); ++i) note(i, distanceAlong(rays_[i], edge.edge), edge.body);
+    return;
+  }
   const double from = bearingOf(edge.edge.from - origin);
   const double turn = wrapAngle(bearingOf(edge.edge.to - origin) - from);
   const double begin = positiveAngle((turn < 0.0 ? from + turn : from) - first_bearing_);

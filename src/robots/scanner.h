@@ -45,6 +45,7 @@ class Scanner {
   void forEachBetween(double low, double high, const Test& test) const;
   void castAt(const ScanTarget& target);
   void castAt(const ScanEdge& edge);
+  void castAt(const WallIndex& walls);
   void note(std::size_t ray, double distance, BodyNumber body);
 
   ScanSpec spec_;
