@@ -42,8 +42,10 @@ def text_of(value):
 def require_nodes(file, words):
     """Checks that a launch file can be read and that its nodes are installed."""
     config = roslaunch.config.ROSLaunchConfig()
+    loader = roslaunch.xmlloader.XmlLoader()
+    loader.ignore_unset_args = False  # load() needs it for its message
     try:
-        roslaunch.xmlloader.XmlLoader().load(file, config, argv=words, verbose=False)
+        loader.load(file, config, argv=words, verbose=False)
     except (roslaunch.core.RLException, roslaunch.xmlloader.XmlParseException, OSError) as error:
         raise StartError(f'{file}: {error}') from None
     for node in config.nodes:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double ROOM_SHARE = 0.8;   // of the room behind an agent
 constexpr double BEHIND = -0.5;      // cosine of the least angle to the direction towards the robot
-constexpr double INNER_SHARE = 0.5;  // of the comfort, to which an agent comes at most
+constexpr double INNER_SHARE = 0.6;  // of the comfort, to which an agent comes at most
 constexpr double SIDLING = 0.3;      // of the maximum speed: towards a robot within its comfort, as on the way round it
 
 /// The room to walls and obstacles on the side of an agent that is away from a robot, as far as it is less than a limit

@@ -46,6 +46,13 @@ void clear(const std::vector<WallContact>& contacts, double margin, BodyMotion& 
   if (motion.velocity.norm() < AT_REST) motion.velocity.setZero();
 }
 
+/// The speed at which a footprint with corners leaves a wall [m/s]: its points move on arcs while it turns, and
+/// rounding must not move a side into the wall on which it slides.
+double marginOf(double rotation, double reach, double time) {
+  constexpr double LEAST = 1e-6;
+  return std::max(LEAST, 0.5 * rotation * rotation * reach * time);
+}
+
 void addCornerContacts(const std::vector<Vector2>& corners, const Vector2& position, const Segment& wall,
                        double tolerance, std::vector<WallContact>& contacts) {
   const Vector2 along = wall.to - wall.from;
@@ -99,8 +106,7 @@ BodyMotion slideAlongWalls(const Footprint& footprint, const std::vector<WallCon
   slid.rotation = std::clamp(slid.rotation, -most, most);
   const double speed = motion.velocity.norm();
   if (!sliding.turns_on_the_spot && speed > 0.0) slid.rotation *= std::min(1.0, slid.velocity.norm() / speed);
-  // The points of a footprint that turns move on arcs.
-  clear(contacts, footprint.isDisc() ? 0.0 : 0.5 * slid.rotation * slid.rotation * reach * time, slid);
+  clear(contacts, footprint.isDisc() ? 0.0 : marginOf(slid.rotation, reach, time), slid);
   return slid;
 }
 

@@ -81,6 +81,7 @@ struct Robot {
   std::size_t next_goal = 0;
   RobotStatus status = RobotStatus::DRIVING;
   bool sent = false;                   ///< a user has given it a goal in this episode, see Robots::send()
+  double waited = 0.0;                 ///< since when it waits() [s]
   bool blocked = false;                ///< an impact changed its last move; solid worlds only
   bool jumped = false;                 ///< EXTERNAL: its last move was a jump
   std::vector<RobotContact> contacts;  ///< with agents, in the last tick
@@ -92,12 +93,16 @@ struct Robot {
   /// @brief The velocity at which people expect it to go on, `map` [m/s]: that of the last tick; of a robot that waits
   /// on its way to a goal, as commanded, or ahead, at the speed of one that starts.
   Vector2 wantedVelocity() const {
-    constexpr double WAITS = 0.1;   // it is slower [m/s]
     constexpr double STARTS = 0.3;  // our choice [m/s]
-    if (start.drive == Drive::EXTERNAL || !hasGoal() || hasArrived() || velocity.norm() >= WAITS) return velocity;
+    if (!waits()) return velocity;
     const double commanded = target.linear.norm();
     const Vector2 direction = commanded > 0.0 ? Vector2(target.linear / commanded) : Vector2::UnitX();
     return Rotation(pose.heading).outOfFrame(STARTS * direction);
+  }
+  /// @brief Whether it stands, or nearly so, on its way to a goal.
+  bool waits() const {
+    constexpr double STANDS = 0.1;  // [m/s]
+    return start.drive != Drive::EXTERNAL && hasGoal() && !hasArrived() && velocity.norm() < STANDS;
   }
   /// @brief Length of the straight lines from here via all goals that are left [m]; 0 without goals.
   double remainingDistance() const {

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "avoidance/separation_rule.h"
 #include "avoidance/time_to_collision.h"
+#include "support/moves.h"
 #include "support/perceptions.h"
 
 namespace crowd::robot_comfort_test {
@@ -47,10 +49,40 @@ TEST(RobotComfort, OnlyWhereThereIsRoomBehindThem) {
   // A wall at their side does not count; one on the far side of a robot beside them does.
   EXPECT_LT(timeOf(seen(aside, 0.3).wall({-2.0, -0.3}, {2.0, -0.3}), AHEAD), 2.0);
   EXPECT_GT(timeOf(seen({0.1, 0.635}, 0.3).wall({-2.0, -0.3}, {2.0, -0.3}), AHEAD), 1e8);
-  // So does a person, and another robot does not.
-  PerceptionsBuilder person = seen(aside, 0.3);
-  EXPECT_GT(timeOf(person.neighbour({-0.6, 0.0}, 0.25), AHEAD), 1e8);
-  EXPECT_LT(timeOf(person.robot(0.0), AHEAD), 2.0);
+  // So does an obstacle, but not a person, who can step back.
+  PerceptionsBuilder behind = seen(aside, 0.3);
+  EXPECT_LT(timeOf(behind.neighbour({-0.6, 0.0}, 0.25), AHEAD), 2.0);
+  EXPECT_GT(timeOf(behind.kind(NeighbourKind::OBSTACLE), AHEAD), 1e8);
+}
+
+/// The admissible part of a move of an agent of 1 m/s that faces a robot at this gap, at an angle [degrees].
+double admissible(double gap, double angle, double comfort, const MotionLimits& motion = {}) {
+  PerceptionsBuilder scene = seen({0.55 + gap, 0.0}, comfort);
+  scene.motion(motion);
+  const auto moves = cut(SeparationRule(GapSharing::HALF, 0.0), scene.perception(), {{polar(angle, 1.0), 1.0, 1.0}});
+  return moves[0].fraction;
+}
+
+TEST(RobotComfort, MovesSlowDownWithinIt) {
+  // A tick at full speed leads 0.1 m ahead.
+  EXPECT_NEAR(admissible(0.45, 0.0, 0.3), 1.0, 1e-9);
+  EXPECT_NEAR(admissible(0.35, 0.0, 0.3), 0.5 + 0.3, 1e-9);  // 0.05 m, and 0.3 m/s
+  EXPECT_NEAR(admissible(0.3, 0.0, 0.3), 0.3, 1e-9);
+  EXPECT_NEAR(admissible(0.24, 0.0, 0.3), 0.15, 1e-9);   // half of the way to 0.6 of it, 0.18 m
+  EXPECT_NEAR(admissible(0.185, 0.0, 0.3), 0.0125, 1e-9);
+  EXPECT_EQ(admissible(0.17, 0.0, 0.3), 0.0);
+  EXPECT_EQ(admissible(0.17, 90.0, 0.3), 1.0);  // round it, and away
+  EXPECT_EQ(admissible(0.17, 180.0, 0.3), 1.0);
+  EXPECT_NEAR(admissible(0.3, 60.0, 0.3), 0.6, 1e-9);
+  EXPECT_NEAR(admissible(0.05, 0.0, 0.0), 0.5, 1e-7);  // the separation rule alone
+}
+
+TEST(RobotComfort, AgentsWithMassBrakeInTime) {
+  MotionLimits motion;
+  motion.acceleration = 3.0;
+  motion.braking = 2.0;
+  // 0.05 m are left until the comfort: 0.1 v + v^2 / 4 = 0.05 gives 0.290 m/s, besides 0.3 m/s.
+  EXPECT_NEAR(admissible(0.35, 0.0, 0.3, motion), std::sqrt(0.04 + 0.2) - 0.2 + 0.3, 1e-9);
 }
 
 TEST(RobotComfort, ARobotThatWaitsIsExpectedToGoOn) {

@@ -28,7 +28,7 @@ STACK = """
 <launch>
   <arg name="radius"/>
   <arg name="drive"/>
-  <arg name="prefix"/>
+  <arg name="prefix" default=""/>
   <param name="told" type="str" value="$(arg prefix) $(arg drive) $(arg radius)"/>
   <node name="driver" pkg="rostopic" type="rostopic" args="pub -r 20 cmd_vel geometry_msgs/Twist '{linear: {x: 0.4}}'"
         required="true"/>

@@ -42,7 +42,10 @@ TEST(RobotReader, HasDefaults) {
   EXPECT_EQ(robot.goal_tolerance, 0.3);  // the scenario's
   EXPECT_TRUE(robot.perceived);
   EXPECT_EQ(robot.yields, Yields::CROWD);
+  EXPECT_EQ(robot.comfort, 0.3);
   EXPECT_EQ(robot.scan.rays, 720U);
+  EXPECT_EQ(robot.scan.rings, 0U);
+  EXPECT_EQ(robot.scan.height, 0.0);
   EXPECT_EQ(robot.scan.first_angle, -PI);
   EXPECT_EQ(robot.scan.max_range, 20.0);
   EXPECT_EQ(scene.ends, Ends::ALL);
@@ -55,9 +58,9 @@ TEST(RobotReader, ReadsAllKeys) {
       "     [-0.5, 0.4], [-0.5, -0.4], [1, -0.4]], drive: ackermann, max_speed: 2, max_rotation: 0.7, acceleration: "
       "1.5,\n"
       "     rotation_acceleration: 3, min_turning_radius: 2.5, cmd_timeout: 1, goal_tolerance: 0.4, perceived: false,\n"
-      "     yields: robot, odometry: {distance: 0.01, rotation: 0.02, heading_per_metre: 0.03}, scan: {rays: 100,\n"
+      "     yields: robot, comfort: 0.7, odometry: {distance: 0.01, rotation: 0.02, heading_per_metre: 0.03}, scan: {rays: 100,\n"
       "     angles: [-90, 90], range: [0.2, 8], position: [0.3, 0.1], heading: 90, noise: 0.01, dropout: 0.1,\n"
-      "     period: 0.2, people: legs}}\n"
+      "     period: 0.2, people: legs, rings: 16, elevations: [-30, 15], height: 0.4}}\n"
       "  - {name: other, position: [10, -5], radius: 0.2, max_speed: 1, drive: external, pose_from: tf}\n"
       "ends: robots\n"));
   const RobotStart& car = scene.robots.at(0);
@@ -82,6 +85,11 @@ TEST(RobotReader, ReadsAllKeys) {
   EXPECT_EQ(car.scan.mount.position, Vector2(0.3, 0.1));
   EXPECT_EQ(car.scan.mount.heading, PI / 2.0);
   EXPECT_EQ(car.scan.people, SeenPeople::LEGS);
+  EXPECT_EQ(car.comfort, 0.7);
+  EXPECT_EQ(car.scan.rings, 16U);
+  EXPECT_NEAR(car.scan.lowest_ring, -PI / 6.0, 1e-15);
+  EXPECT_NEAR(car.scan.highest_ring, PI / 12.0, 1e-15);
+  EXPECT_EQ(car.scan.height, 0.4);
   EXPECT_EQ(scene.robots.at(1).name_space, "other");
   EXPECT_EQ(scene.robots[1].drive, Drive::EXTERNAL);
   EXPECT_TRUE(scene.robots[1].reads_tf);
