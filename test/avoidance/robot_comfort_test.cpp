@@ -68,7 +68,7 @@ TEST(RobotComfort, MovesSlowDownWithinIt) {
   EXPECT_NEAR(admissible(0.45, 0.0, 0.3), 1.0, 1e-9);
   EXPECT_NEAR(admissible(0.35, 0.0, 0.3), 0.5 + 0.3, 1e-9);  // 0.05 m, and 0.3 m/s
   EXPECT_NEAR(admissible(0.3, 0.0, 0.3), 0.3, 1e-9);
-  EXPECT_NEAR(admissible(0.24, 0.0, 0.3), 0.15, 1e-9);   // half of the way to 0.6 of it, 0.18 m
+  EXPECT_NEAR(admissible(0.24, 0.0, 0.3), 0.15, 1e-9);  // half of the way to 0.6 of it, 0.18 m
   EXPECT_NEAR(admissible(0.185, 0.0, 0.3), 0.0125, 1e-9);
   EXPECT_EQ(admissible(0.17, 0.0, 0.3), 0.0);
   EXPECT_EQ(admissible(0.17, 90.0, 0.3), 1.0);  // round it, and away
