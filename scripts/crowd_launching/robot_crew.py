@@ -8,6 +8,7 @@ import roslaunch.config
 import roslaunch.core
 import roslaunch.xmlloader
 import roslib.packages
+import rospkg
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from social_crowd.msg import RobotStates, Scenario
@@ -51,7 +52,7 @@ def require_nodes(file, words):
     for node in config.nodes:
         try:
             found = roslib.packages.find_node(node.package, node.type)
-        except roslib.packages.ROSPkgException:
+        except (roslib.packages.ROSPkgException, rospkg.ResourceNotFound):
             found = None
         if not found:
             raise StartError(f'{file}: there is no node {node.package}/{node.type} in the ROS environment')
