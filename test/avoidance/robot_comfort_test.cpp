@@ -50,9 +50,13 @@ TEST(RobotComfort, OnlyWhereThereIsRoomBehindThem) {
   EXPECT_LT(timeOf(seen(aside, 0.3).wall({-2.0, -0.3}, {2.0, -0.3}), AHEAD), 2.0);
   EXPECT_GT(timeOf(seen({0.1, 0.635}, 0.3).wall({-2.0, -0.3}, {2.0, -0.3}), AHEAD), 1e8);
   // So does an obstacle, but not a person, who can step back.
-  PerceptionsBuilder behind = seen(aside, 0.3);
-  EXPECT_LT(timeOf(behind.neighbour({-0.6, 0.0}, 0.25), AHEAD), 2.0);
-  EXPECT_GT(timeOf(behind.kind(NeighbourKind::OBSTACLE), AHEAD), 1e8);
+  const auto time_before = [&](NeighbourKind kind) {
+    PerceptionsBuilder scene;
+    scene.agent(0, {9.0, 0.0}).speed(1.0).neighbour({-0.6, 0.0}, 0.25).kind(kind);
+    return timeOf(scene.neighbour(aside, 0.3).robot(0.3), AHEAD);
+  };
+  EXPECT_LT(time_before(NeighbourKind::AGENT), 2.0);
+  EXPECT_GT(time_before(NeighbourKind::OBSTACLE), 1e8);
 }
 
 /// The admissible part of a move of an agent of 1 m/s that faces a robot at this gap, at an angle [degrees].

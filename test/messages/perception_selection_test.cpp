@@ -145,8 +145,8 @@ TEST(PerceptionSelection, NoAgent) {
   PerceptionsMessage message = messageWith(threeAgents());
   message.rows = PerceptionRows();
   // Header: 4 + 8 + 4 + "map"; then 6 numbers of 8 bytes, 2 of 4, 2 flags, the source and 3 numbers of motion limits,
-  // and 3 lengths of lists.
-  EXPECT_EQ(serialized(message).size(), 19U + 48U + 8U + 2U + 25U + 12U);
+  // and 4 lengths of lists.
+  EXPECT_EQ(serialized(message).size(), 19U + 48U + 8U + 2U + 25U + 16U);
 }
 
 TEST(PerceptionSelection, ReceivedMessageHasNoSelection) {
