@@ -16,9 +16,8 @@ namespace {
 
 /// Whether people follow a robot, and so have nowhere to go without it.
 bool haveFollowers(const Scene& scene) {
-  return std::any_of(scene.agents.begin(), scene.agents.end(), [](const AgentStart& agent) {
-    return agent.leader && agent.leader->kind == Leader::Kind::ROBOT;
-  });
+  return std::any_of(scene.agents.begin(), scene.agents.end(),
+                     [](const AgentStart& agent) { return agent.leader && agent.leader->kind == Leader::Kind::ROBOT; });
 }
 
 /// The scene without robots.
