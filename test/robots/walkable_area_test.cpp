@@ -27,8 +27,8 @@ double areaOf(const Scene& scene, const Vector2& place, const std::vector<Segmen
 TEST(WalkableArea, InTheOpenIsTheRectangleThatIsUsed) { EXPECT_EQ(areaOf(scene({}), {0.0, 0.0}), 12.0); }
 
 TEST(WalkableArea, OfARoomIsThatBetweenItsWalls) {
-  // 10 m x 6 m, without 0.1 m at each wall: 9.8 x 5.8 = 56.84 m^2. The points are 0.1 m apart: an error of up to half of
-  // that along the boundary of 31.2 m, and of the disc below, 6.9 m.
+  // 10 m x 6 m, without 0.1 m at each wall: 9.8 x 5.8 = 56.84 m^2. The points are 0.1 m apart: an error of up to half
+  // of that along the boundary of 31.2 m, and of the disc below, 6.9 m.
   EXPECT_NEAR(areaOf(scene({}, {}, rectangle(5.0, 3.0)), {0.0, 0.0}), 9.8 * 5.8, 1.6);
   // A pillar of 1 m takes the disc of 1.1 m away.
   const Scene with_pillar = scene({}, {scenes::pillar({2.0, 0.0}, 1.0)}, rectangle(5.0, 3.0));
