@@ -22,7 +22,8 @@ map: map.yaml
 agents:
   - {position: [1, 1], goal: [3, 1], speed: 0.5, radius: 0.25}
 robots:
-  - {name: robot, namespace: robot, position: [1, 3], goal: [3, 3], radius: 0.25, max_speed: 0.5}
+  - {name: robot, namespace: robot, position: [1, 3], goal: [3, 3], radius: 0.25, max_speed: 0.5,
+     scan: {rings: 2, height: 0.5}}
 """
 # Python nodes: the page, and the files that read the parameters; that of replay has a table of defaults.
 SCRIPTS = {'goal_sender': ('move_base.md', ['crowd_launching/goal_sender.py', 'crowd_launching/back_off.py']),
