@@ -13,7 +13,7 @@ import pytest
 import social_crowd._core
 from programs import PACKAGE
 
-sys.path.append(os.path.join(PACKAGE, 'src', 'python', 'wheel'))
+sys.path.append(os.path.join(PACKAGE, 'python', 'wheel'))
 import wheel_backend  # noqa: E402
 
 MODULE = pathlib.Path(social_crowd._core.__file__)
@@ -60,6 +60,6 @@ class WheelTest:
         assert said.strip() == os.path.join(site, 'social_crowd', '__init__.py')
 
     def test_the_project_without_ros_can_be_configured(self, runner):
-        subprocess.run(['cmake', '-S', os.path.join(PACKAGE, 'src', 'python', 'wheel'), '-B', runner.path('build'),
+        subprocess.run(['cmake', '-S', os.path.join(PACKAGE, 'python', 'wheel'), '-B', runner.path('build'),
                         f'-DPYTHON_EXECUTABLE={sys.executable}'],
                        env={'PATH': os.environ['PATH']}, stdout=subprocess.DEVNULL, check=True)

@@ -11,7 +11,7 @@ import sys
 import sysconfig
 import zipfile
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 NAME = 'social_crowd'
 DATA = ('config/kinds.yaml', 'config/learning', 'config/maps', 'config/q_tables', 'config/recordings',
         'config/scenarios')
@@ -90,7 +90,7 @@ def build_module():
     """Builds the C++ module. Returns its files."""
     build = pathlib.Path(os.environ.get('SOCIAL_CROWD_BUILD', REPOSITORY / '.build')) / 'wheel'
     output = build / 'installed'
-    run('cmake', '-S', REPOSITORY / 'src' / 'python' / 'wheel', '-B', build, f'-DPYTHON_EXECUTABLE={sys.executable}',
+    run('cmake', '-S', REPOSITORY / 'python' / 'wheel', '-B', build, f'-DPYTHON_EXECUTABLE={sys.executable}',
         '-DCMAKE_BUILD_TYPE=Release', '-DBUILD_SHARED_LIBS=OFF', f'-DCMAKE_INSTALL_PREFIX={output}')
     run('cmake', '--build', build, '--parallel', len(os.sched_getaffinity(0)))
     for old in output.glob('*'):
