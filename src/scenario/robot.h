@@ -81,7 +81,6 @@ struct Robot {
   std::size_t next_goal = 0;
   RobotStatus status = RobotStatus::DRIVING;
   bool sent = false;                   ///< a user has given it a goal in this episode, see Robots::send()
-  double waited = 0.0;                 ///< since when it waits() [s]
   bool blocked = false;                ///< an impact changed its last move; solid worlds only
   bool jumped = false;                 ///< EXTERNAL: its last move was a jump
   std::vector<RobotContact> contacts;  ///< with agents, in the last tick

@@ -21,7 +21,7 @@ void stopAtImpact(Robot& robot, double rest) {
 
 /// A robot with the protective stop stops at walls: the stop does not foresee where it would slide.
 std::optional<WallSliding> slidingOf(const RobotStart& robot) {
-  if (robot.drive == Drive::EXTERNAL || doesRobotYield(robot.yields)) return std::nullopt;
+  if (robot.drive == Drive::EXTERNAL || doesRobotYield(robot.yields) || !robot.footprint.isDisc()) return std::nullopt;
   return WallSliding{robot.limits.max_rotation, robot.drive != Drive::ACKERMANN};
 }
 
