@@ -13,6 +13,22 @@ constexpr double STEP = 1e-3;
 /// Accuracy of the time of a touch, as a share of a tick.
 constexpr double ACCURACY = 1e-12;
 
+/// Distance at which a polygon touches what it would cut [m]. Its distance to a wall is 0 wherever it cuts the wall, so
+/// that only a distance from 0 to this one shows that it comes nearer; it is larger than LEAST_APPROACH.
+constexpr double SKIN = 1e-9;
+
+double skinOf(const Footprint& footprint) { return footprint.isDisc() ? 0.0 : SKIN; }
+
+/// The last time at which a distance is above 0, from one at which it is to one at which it is not.
+template <typename Distance>
+double lastBefore(const Distance& distance_at, double time, double end) {
+  while (end - time > ACCURACY) {
+    const double middle = 0.5 * (time + end);
+    (distance_at(middle) > 0.0 ? time : end) = middle;
+  }
+  return time;
+}
+
 /// Time at which a distance that changes by at most `speed` in a tick first becomes 0, see firstTouch().
 template <typename Distance>
 double firstZero(const Distance& distance_at, double speed, double from) {
@@ -28,11 +44,7 @@ double firstZero(const Distance& distance_at, double speed, double from) {
       continue;
     }
     if (distance <= 0.0) return time;
-    while (end - time > ACCURACY) {
-      const double middle = 0.5 * (time + end);
-      (distance_at(middle) > 0.0 ? time : end) = middle;
-    }
-    return time;
+    return lastBefore(distance_at, time, end);
   }
   return NO_IMPACT;
 }
@@ -101,19 +113,28 @@ double firstTouch(const RobotSweep& sweep, const Segment& segment, double from) 
   const double speed = sweep.pointSpeed(from);
   if (speed <= 0.0) return NO_IMPACT;
   const Footprint& footprint = sweep.footprint();
-  const double apart = distanceTo(segment, sweep.at(from).position) - footprint.reach();
+  const double skin = skinOf(footprint);
+  const double apart = distanceTo(segment, sweep.at(from).position) - footprint.reach() - skin;
   if (apart > speed * (1.0 - from)) return NO_IMPACT;
-  return firstZero([&](double time) { return distance(footprint, sweep.at(time), segment); }, speed, from);
+  const auto distance_at = [&](double time) { return distance(footprint, sweep.at(time), segment) - skin; };
+  return firstZero(distance_at, speed, from);
+}
+
+double touchUntil(const RobotSweep& sweep, const Segment& segment, double from, double to) {
+  const double skin = skinOf(sweep.footprint());
+  const auto distance_at = [&](double time) { return distance(sweep.footprint(), sweep.at(time), segment) - skin; };
+  return distance_at(from) > 0.0 && distance_at(to) < -LEAST_APPROACH ? lastBefore(distance_at, from, to) : to;
 }
 
 double firstTouch(const RobotSweep& first, const RobotSweep& second, double from) {
   const double speed = first.pointSpeed(from) + second.pointSpeed(from);
   if (speed <= 0.0) return NO_IMPACT;
+  const double skin = std::min(skinOf(first.footprint()), skinOf(second.footprint()));
   const double apart = (first.at(from).position - second.at(from).position).norm() - first.footprint().reach() -
-                       second.footprint().reach();
+                       second.footprint().reach() - skin;
   if (apart > speed * (1.0 - from)) return NO_IMPACT;
   const auto distance_at = [&](double time) {
-    return distance(first.footprint(), first.at(time), second.footprint(), second.at(time));
+    return distance(first.footprint(), first.at(time), second.footprint(), second.at(time)) - skin;
   };
   return firstZero(distance_at, speed, from);
 }

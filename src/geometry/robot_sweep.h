@@ -55,7 +55,10 @@ class RobotSweep {
 double firstTouch(const RobotSweep& sweep, const Vector2& position, const Vector2& way, double radius, double from);
 /// @brief The same for a segment that does not move.
 double firstTouch(const RobotSweep& sweep, const Segment& segment, double from);
-/// @brief The same for two robots.
+/// @brief The time of that contact with a segment if it lasts until `to`, however short it is, else `to`: a touch of
+/// another body may be in the middle of it. @param to [share of the tick], at least `from`
+double touchUntil(const RobotSweep& sweep, const Segment& segment, double from, double to);
+/// @brief The same as firstTouch() for two robots.
 double firstTouch(const RobotSweep& first, const RobotSweep& second, double from);
 
 }  // namespace crowd

@@ -113,7 +113,14 @@ void SolidMotion::predictWallImpacts(Index agent, double now) {
   for (const std::uint32_t number : near_walls_) {
     first = std::min(first, touchOfWall(body, walls_->walls()[number], now));
   }
-  if (first < NO_IMPACT) add({first, agent, WALL, body.changes, 0});
+  if (first == NO_IMPACT) return;
+  if (body.isRobot()) {  // in a corner, the next wall may be met before a brief contact with this one is found
+    const double touched = first;
+    for (const std::uint32_t number : near_walls_) {
+      first = std::min(first, touchUntil(sweeps_[body.sweep], walls_->walls()[number], now, touched));
+    }
+  }
+  add({first, agent, WALL, body.changes, 0});
 }
 
 double SolidMotion::touchOfWall(const Body& body, const Segment& wall, double now) const {

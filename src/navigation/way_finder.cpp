@@ -27,7 +27,7 @@ constexpr double CROWD_RADIUS = 0.75;   // of the crowd that another way leads r
 
 }  // namespace
 
-void WayFinder::update(World& world) {
+void WayFinder::findWays(World& world) {
   if (!finds_ways_) return leadGroups(world);
   const auto does_not_fit = [this](const Agent& agent) {
     const bool is_inside = contains(bounds_, agent.pose.position) && contains(bounds_, agent.goal());

@@ -11,6 +11,7 @@
 #include "navigation/deadlock_resolver.h"
 #include "navigation/group_walking.h"
 #include "navigation/path_follower.h"
+#include "navigation/robot_lanes.h"
 #include "navigation/sized_floor.h"
 #include "navigation/turn_taking.h"
 #include "navigation/walking_floor.h"
@@ -23,7 +24,8 @@ namespace crowd {
 /// beside each other (GroupWalking), also where there are no walls.
 ///
 /// Ways are found for the size of each agent (SizedFloor). They keep COMFORTABLE_MARGIN from walls where there is room,
-/// and lead round crowds if that saves time (CongestionMap). In narrow places agents take turns (TurnTaking).
+/// and lead round crowds if that saves time (CongestionMap). In narrow places agents take turns (TurnTaking). They step
+/// aside from robots that wait (RobotLanes), also where there are no walls.
 /// Deterministic; depends only on the world.
 ///
 /// An agent whose goal is behind closed gates walks up to them. One whose goal is out of reach stays, unless it sees
@@ -40,7 +42,10 @@ class WayFinder {
 
   /// @throws InputError if the floor is too large (NavigationMesh), Stopped if the world's stop request is made; the
   /// object must not be used any more then.
-  void update(World& world);
+  void update(World& world) {
+    findWays(world);
+    lanes_.update(world, finds_ways_ && is_needed_);
+  }
   /// @brief Makes all agents of a world perceive their goals again, and leads only groups from now on.
   void giveUp(World& world);
 
@@ -76,6 +81,7 @@ class WayFinder {
     bool out_of_reach = false;
   };
 
+  void findWays(World& world);
   static void release(World& world);
   void adoptLayout(World& world);
   void leadGroups(World& world);
@@ -104,6 +110,7 @@ class WayFinder {
   CongestionMap congestion_;
   std::optional<TurnTaking> turns_;
   DeadlockResolver deadlocks_;
+  RobotLanes lanes_;
   AgentMap<Way> ways_;
   AgentMap<RemainingPath> paths_;
 };

@@ -81,6 +81,7 @@ struct Robot {
   std::size_t next_goal = 0;
   RobotStatus status = RobotStatus::DRIVING;
   bool sent = false;                   ///< a user has given it a goal in this episode, see Robots::send()
+  double waited = 0.0;                 ///< how long it waits() already [s]
   bool blocked = false;                ///< an impact changed its last move; solid worlds only
   bool jumped = false;                 ///< EXTERNAL: its last move was a jump
   std::vector<RobotContact> contacts;  ///< with agents, in the last tick

@@ -21,7 +21,7 @@ void stopAtImpact(Robot& robot, double rest) {
 
 /// A robot with the protective stop stops at walls: the stop does not foresee where it would slide.
 std::optional<WallSliding> slidingOf(const RobotStart& robot) {
-  if (robot.drive == Drive::EXTERNAL || doesRobotYield(robot.yields) || !robot.footprint.isDisc()) return std::nullopt;
+  if (robot.drive == Drive::EXTERNAL || doesRobotYield(robot.yields)) return std::nullopt;
   return WallSliding{robot.limits.max_rotation, robot.drive != Drive::ACKERMANN};
 }
 
@@ -248,6 +248,7 @@ void Robots::endMoves() {
       }
       robot.velocity = Rotation(robot.pose.heading).outOfFrame(robot.twist.linear);
     }
+    robot.waited = robot.waits() ? robot.waited + tick_duration_ : 0.0;
     if (!robot.hasGoal() || robot.hasArrived()) continue;
     if ((robot.goal() - robot.pose.position).norm() > robot.start.goal_tolerance) continue;
     if (robot.next_goal + 1 < robot.goals.size()) {

@@ -58,6 +58,27 @@ TEST(RobotSweep, OnceStoppedStays) {
   EXPECT_EQ(sweep.pointSpeed(0.25), 0.0);
 }
 
+TEST(RobotSweep, ABarThatTouchesAWallTouchesItAgain) {
+  // It stops at the wall, and presses on: its distance, which is never negative, must not hide that.
+  const Segment wall{{1.05, -1.0}, {1.05, 1.0}};
+  RobotSweep sweep(BAR, Pose(), {{1.0, 0.0}, 0.0}, 0.1);
+  const double touch = firstTouch(sweep, wall, 0.0);
+  EXPECT_NEAR(touch, 0.5, 1e-7);
+  const RobotSweep again(BAR, sweep.at(touch), {{1.0, 0.0}, 0.0}, 0.1);
+  EXPECT_LT(firstTouch(again, wall, 0.0), 1e-7);
+  EXPECT_GT(distance(BAR, again.at(firstTouch(again, wall, 0.0)), wall), 0.0);
+  const RobotSweep beside(BAR, sweep.at(touch), {{0.0, 1.0}, 0.0}, 0.1);
+  EXPECT_EQ(firstTouch(beside, wall, 0.0), NO_IMPACT);
+}
+
+TEST(RobotSweep, ABriefContactBeforeAnotherIsFound) {
+  // Driving 0.1 m ahead, the front is in the wall from 0.0200 m on.
+  const RobotSweep sweep(BAR, Pose(), {{1.0, 0.0}, 0.0}, 0.1);
+  const Segment wall{{1.02, -1.0}, {1.02, 1.0}};
+  EXPECT_NEAR(touchUntil(sweep, wall, 0.0, 0.5), 0.2, 1e-7);
+  EXPECT_EQ(touchUntil(sweep, wall, 0.0, 0.1), 0.1);
+}
+
 TEST(RobotSweep, StraightWayBetweenTwoPoses) {
   const RobotSweep sweep(BAR, {{0.0, 0.0}, 3.0}, {{1.0, 2.0}, -3.0});
   EXPECT_NEAR(sweep.at(0.5).position.y(), 1.0, 1e-15);

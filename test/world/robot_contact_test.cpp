@@ -95,13 +95,14 @@ TEST(RobotContact, ARobotSlidesAlongAWall) {
   EXPECT_NEAR(afterTick(stopping, true).robots()[0].pose.position.x(), met * 0.5, NEAR);
 }
 
-TEST(RobotContact, ADiscThatSlidesNeverEntersAWall) {
+TEST(RobotContact, ARobotThatSlidesNeverEntersAWallAndGetsOutOfACorner) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
     RobotStart start = robot({0.0, 0.0}, random.uniform(-PI, PI));
     start.drive = static_cast<Drive>(random.below(3));
     start.limits = {random.uniform(0.3, 2.0), random.uniform(0.3, 2.0), 1e3, 1e3, 0.5};
+    if (seed % 2 == 0) start.footprint.corners = {{0.5, -0.3}, {0.5, 0.3}, {-0.2, 0.3}, {-0.2, -0.3}};
     std::vector<Segment> walls = {
         {{-1.0, -1.0}, {1.0, -1.0}}, {{1.0, -1.0}, {1.2, 1.0}}, {{1.2, 1.0}, {-1.0, 0.9}}, {{-1.0, 0.9}, {-1.0, -1.0}}};
     walls.push_back({{0.7, 0.1}, {1.1, 0.0}});  // with an end in the room
