@@ -9,7 +9,7 @@ namespace crowd {
 
 /// @brief Name and unit of a number of a result. The unit is empty for ratios, counts and flags.
 struct MetricName {
-  const char* name;
+  const char* name = "";
   const char* unit = "";
 
   operator const char*() const { return name; }  // NOLINT(google-explicit-constructor): most visitors use the name only

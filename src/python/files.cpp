@@ -27,24 +27,24 @@ PyObject* addError(py::module_& module, const char* name, const py::handle& base
 }
 
 void bindErrors(py::module_& module) {
-  static PyObject* const any = addError(module, "CrowdError", PyExc_Exception);
-  static PyObject* const input =
-      addError(module, "InputError", py::make_tuple(py::handle(any), py::handle(PyExc_ValueError)));
-  static PyObject* const file =
-      addError(module, "FileError", py::make_tuple(py::handle(any), py::handle(PyExc_OSError)));
-  static PyObject* const shape =
-      addError(module, "ShapeError", py::make_tuple(py::handle(any), py::handle(PyExc_ValueError)));
+  static PyObject* const ANY = addError(module, "CrowdError", PyExc_Exception);
+  static PyObject* const INPUT =
+      addError(module, "InputError", py::make_tuple(py::handle(ANY), py::handle(PyExc_ValueError)));
+  static PyObject* const FILE_ACCESS =
+      addError(module, "FileError", py::make_tuple(py::handle(ANY), py::handle(PyExc_OSError)));
+  static PyObject* const SHAPE =
+      addError(module, "ShapeError", py::make_tuple(py::handle(ANY), py::handle(PyExc_ValueError)));
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const InputError& error) {
-      PyErr_SetString(input, error.what());
+      PyErr_SetString(INPUT, error.what());
     } catch (const FileError& error) {
-      PyErr_SetString(file, error.what());
+      PyErr_SetString(FILE_ACCESS, error.what());
     } catch (const ShapeError& error) {
-      PyErr_SetString(shape, error.what());
+      PyErr_SetString(SHAPE, error.what());
     } catch (const Error& error) {
-      PyErr_SetString(any, error.what());
+      PyErr_SetString(ANY, error.what());
     }
   });
 }

@@ -85,6 +85,7 @@ void bindRobots(py::module_& module) {
           "begin",
           [](RobotBatch& batch, const std::vector<std::array<std::uint64_t, 5>>& starts) {
             std::vector<library::EpisodeStart> all;
+            all.reserve(starts.size());
             for (const auto& start : starts) {
               all.push_back({static_cast<std::size_t>(start[0]), static_cast<std::size_t>(start[1]), start[2], start[3],
                              start[4]});

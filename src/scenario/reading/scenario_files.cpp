@@ -64,7 +64,7 @@ std::vector<fs::path> withFolders(const fs::path& folder) {
 /// The file of a name in a folder, or in one of its folders; empty if there is none.
 fs::path fileNamed(const std::string& name, const fs::path& folder) {
   for (const fs::path& one : withFolders(folder)) {
-    const fs::path file = one / (name + SCENARIO_EXTENSION);
+    fs::path file = one / (name + SCENARIO_EXTENSION);
     if (isFile(file)) return file;
   }
   return {};
