@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "robots/metrics/social_force.h"
+#include "robots/metrics/interaction_force.h"
 #include "support/robot_logs.h"
 
 namespace crowd::robots::robot_people_metrics_test {
@@ -57,16 +57,16 @@ TEST(RobotPeopleMetrics, SpeedsOfPeople) {
 
 TEST(RobotPeopleMetrics, SocialForces) {
   // At rest 2 m apart: D = e, B = 0.35, theta = 0, so that f = 2.1 exp(-2 / 0.35) = 0.0069269 away from the other.
-  const Vector2 force = socialForce({{0.0, 0.0}, {0.0, 0.0}}, {{2.0, 0.0}, {0.0, 0.0}});
+  const Vector2 force = interactionForce({{0.0, 0.0}, {0.0, 0.0}}, {{2.0, 0.0}, {0.0, 0.0}});
   EXPECT_NEAR(force.x(), -0.0069269, 1e-7);
   EXPECT_NEAR(force.y(), 0.0, 1e-12);
   // A body that walks at 1 m/s past another one, 2 m to its left: D = (2, 1), B = 0.35 sqrt(5) = 0.78262,
   // theta = pi / 2 - atan(1 / 2) = 1.10715, exp(-2 / B) = 0.077653; slowing: 0.077653 exp(-(3 B theta)^2) = 9.0279e-5,
   // turning: 0.077653 exp(-(2 B theta)^2) = 3.8539e-3, to the right of D.
-  const Vector2 aside = socialForce({{0.0, 0.0}, {1.0, 0.0}}, {{0.0, 2.0}, {0.0, 0.0}});
+  const Vector2 aside = interactionForce({{0.0, 0.0}, {1.0, 0.0}}, {{0.0, 2.0}, {0.0, 0.0}});
   EXPECT_NEAR(aside.x(), 2.1 * (3.8539e-3 - 2.0 * 9.0279e-5) / std::sqrt(5.0), 1e-6);
   EXPECT_NEAR(aside.y(), -2.1 * (2.0 * 3.8539e-3 + 9.0279e-5) / std::sqrt(5.0), 1e-6);
-  EXPECT_TRUE(socialForce({{1.0, 1.0}, {1.0, 0.0}}, {{1.0, 1.0}, {0.0, 0.0}}).isZero(0.0));
+  EXPECT_TRUE(interactionForce({{1.0, 1.0}, {1.0, 0.0}}, {{1.0, 1.0}, {0.0, 0.0}}).isZero(0.0));
 }
 
 TEST(RobotPeopleMetrics, SumsOfForces) {

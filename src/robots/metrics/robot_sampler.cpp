@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "avoidance/time_to_collision.h"
-#include "robots/metrics/social_force.h"
+#include "robots/metrics/interaction_force.h"
 
 namespace crowd {
 namespace {
@@ -124,10 +124,10 @@ void RobotSampler::measureForces(const ObservedScene& scene, const Robot& robot,
   Vector2 on_robot = Vector2::Zero();
   for (const ObservedPerson& person : scene.people) {
     const ForceBody other{person.position, person.velocity};
-    const Vector2 force = socialForce(body, other);
+    const Vector2 force = interactionForce(body, other);
     on_robot += force;
     sample.social_force_on_robot += force.norm();
-    sample.social_force_on_agents += socialForce(other, body).norm();
+    sample.social_force_on_agents += interactionForce(other, body).norm();
   }
   const double clearance = std::isnan(sample.obstacle_clearance) ? INFINITE : sample.obstacle_clearance;
   sample.obstacle_force_on_robot = obstacleForce(clearance);

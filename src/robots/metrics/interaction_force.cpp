@@ -1,4 +1,4 @@
-#include "robots/metrics/social_force.h"
+#include "robots/metrics/interaction_force.h"
 
 namespace crowd {
 namespace {
@@ -16,7 +16,7 @@ double square(double value) { return value * value; }
 
 }  // namespace
 
-Vector2 socialForce(const ForceBody& on, const ForceBody& from) {
+Vector2 interactionForce(const ForceBody& on, const ForceBody& from) {
   const Vector2 way = from.position - on.position;
   const double apart = way.norm();
   if (apart <= 0.0) return Vector2::Zero();
