@@ -73,7 +73,7 @@ struct RobotBatchOptions {
 /// object from one thread at a time.
 class RobotBatch {
  public:
-  /// @throws InputError unless all scenarios have the robot, with the same drive, limits and scanner
+  /// @throws InputError unless all scenarios have the robot, with the same drive, greatest speeds and scanner
   RobotBatch(std::vector<Scenario> scenarios, const QTable& table, const RobotBatchOptions& options);
   RobotBatch(RobotBatch&&) noexcept;
   RobotBatch& operator=(RobotBatch&&) noexcept;

@@ -43,7 +43,7 @@ def evaluate(table, scenario, *, episodes=0, seed=1, threads=0, robot='none'):
     """Runs episodes in which all agents decide greedily. Returns an Evaluation. Ctrl-C ends it.
 
     episodes: 0: each document of the scenario once; threads: 0: one for each processor
-    robot: controller of all robots: none (they stand), straight, reactive, learned (docs/robots.md)
+    robot: controller of all robots: none (they stand), straight, reactive, learned, orca, social_force (docs/robots.md)
     """
     return Evaluation(*_core.evaluate(as_table(table), as_scenario(scenario), whole_number('episodes', episodes),
                                       whole_number('seed', seed), whole_number('threads', threads), robot))

@@ -87,7 +87,10 @@ class RosRobot:
     def result(self, _element):
         """Returns the metrics by name."""
         result = self._observed.result[0]
-        return {name: getattr(result, name) for name in result.__slots__ if name != 'robot'}
+        metrics = fields_of(result)
+        del metrics['robot']
+        metrics['goals'] = [fields_of(goal) for goal in result.goals]
+        return metrics
 
     def scene(self, _element):
         """Returns positions and radii of the people that were observed, and no walls."""
@@ -157,6 +160,11 @@ class RosRobot:
             for row, one in zip(arrays['people'][0], people):
                 row[:] = one.x, one.y, one.velocity_x, one.velocity_y, one.radius
         self.arrays = arrays
+
+
+def fields_of(message):
+    """Returns the fields of a message by name."""
+    return {name: getattr(message, name) for name in message.__slots__}
 
 
 def description_of(observed):

@@ -1,4 +1,6 @@
 """The interface of Gymnasium for one robot, with which Env and CrowdEnv differ in their backends only."""
+import copy
+
 import numpy
 from social_crowd.errors import CrowdError, InputError
 from social_crowd.random_seeds import EpisodeSeeds
@@ -88,8 +90,13 @@ class RobotEnv(Base):
         With a seed, the scenario is drawn from that seed, and later episodes from it, too: the same calls give the same
         episodes. Without one, the scenario is drawn anew.
         """
-        scenario, drawn = self._seeds.next(seed)
-        self._begin(scenario, drawn, options or {})
+        before = copy.deepcopy(self._seeds.random)
+        try:
+            scenario, drawn = self._seeds.next(seed)
+            self._begin(scenario, drawn, options or {})
+        except BaseException:  # an episode that is refused draws no seed
+            self._np_random = self._seeds.random = before
+            raise
         self._np_random = self._seeds.random
         self._np_random_seed = self._np_random_seed if seed is None else drawn
         self._has_begun = self._is_walking = True

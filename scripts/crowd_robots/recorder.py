@@ -10,7 +10,7 @@ from social_crowd.srv import Reset
 
 PEOPLE = {'people_compared': '0', 'people_delay': 'nan', 'people_detour': 'nan'}  # needs a second run without robots
 LONG = 10.0  # [s] between two warnings
-AFTER_PEOPLE = 'commands_taken'
+AFTER_PEOPLE = 'navigation'
 
 
 def columns():

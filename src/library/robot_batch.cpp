@@ -122,7 +122,7 @@ struct RobotBatch::State {
         is_first = false;
         if (!areAlike(robot, described)) {
           throw InputError(document.source + ": robot " + inQuotes(start.name) +
-                           ": expected drive, limits and scanner of the robot of the first scenario");
+                           ": expected drive, greatest speeds and scanner of the robot of the first scenario");
         }
       }
     }
@@ -227,12 +227,16 @@ std::size_t RobotBatch::size() const { return state_->elements.size(); }
 const RobotArrays& RobotBatch::arrays() const { return state_->arrays; }
 
 void RobotBatch::begin(const std::vector<EpisodeStart>& starts) {
+  std::vector<bool> begins(size());
   for (const EpisodeStart& start : starts) {
     if (start.element >= size() || start.scenario >= state_->scenarios.size()) {
       throw InputError("expected an element below " + std::to_string(size()) + " and a scenario below " +
                        std::to_string(state_->scenarios.size()) + ", got " + std::to_string(start.element) + " and " +
                        std::to_string(start.scenario));
     }
+    if (begins[start.element])
+      throw InputError("element " + std::to_string(start.element) + ": expected once, got twice");
+    begins[start.element] = true;
   }
   state_->pool.run(starts.size(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) state_->begin(starts[i]);

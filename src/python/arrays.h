@@ -6,12 +6,17 @@
 #include <memory>
 #include <vector>
 
+#include "social_crowd/perception.h"
+
 /// NumPy arrays that show memory of C++ without a copy. They are read-only, and keep their owner alive.
 namespace crowd::python {
 
 namespace py = pybind11;
 
 using Shape = std::vector<py::ssize_t>;
+
+/// @brief Numbers from Python, converted and laid out row by row.
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// @brief Read-only array at an address. @param owner keeps the memory; not none
 inline py::array viewOf(const py::dtype& type, const Shape& shape, const Shape& strides, const void* memory,
@@ -36,6 +41,16 @@ py::array viewOf(const std::vector<Number>& numbers, std::size_t columns, const 
 /// @brief The same of flags, as an array of bool.
 inline py::array viewOfFlags(const std::vector<std::uint8_t>& flags, const py::handle& owner) {
   return viewOf(py::dtype::of<bool>(), {static_cast<py::ssize_t>(flags.size())}, {1}, flags.data(), owner);
+}
+
+/// @brief A row with x, y of both ends [m] for each wall: a new array.
+inline py::array arrayOf(const std::vector<library::Wall>& walls) {
+  py::array_t<double> array({walls.size(), std::size_t{4}});
+  double* to = array.mutable_data();
+  for (const library::Wall& wall : walls) {
+    for (const double number : {wall.from.x, wall.from.y, wall.to.x, wall.to.y}) *to++ = number;
+  }
+  return array;
 }
 
 /// @brief An owner that shares an object.

@@ -18,8 +18,6 @@ namespace {
 
 using library::AgentArrays;
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 /// @throws InputError unless the array has this number of elements
 void requireLength(const char* name, const Numbers& numbers, std::size_t expected) {
   if (numbers.ndim() == 1 && static_cast<std::size_t>(numbers.size()) == expected) return;
@@ -218,14 +216,11 @@ void bindCrowd(py::module_& module) {
                              })
       .def_property_readonly("walls",
                              [](Crowd& crowd) {
-                               const auto walls = crowd.episode().walls();
-                               py::array_t<double> array({walls.size(), std::size_t{4}});
-                               double* to = array.mutable_data();
-                               for (const auto& [id, wall] : walls) {
-                                 for (const double number : {wall.from.x, wall.from.y, wall.to.x, wall.to.y})
-                                   *to++ = number;
-                               }
-                               return array;
+                               const auto by_id = crowd.episode().walls();
+                               std::vector<library::Wall> walls;
+                               walls.reserve(by_id.size());
+                               for (const auto& [id, wall] : by_id) walls.push_back(wall);
+                               return arrayOf(walls);
                              })
       .def(
           "command_robot",

@@ -19,6 +19,13 @@ inline py::dict toDict(const RobotResult& result) {
   const auto put = [&](const char* name, const auto& value) { fields[name] = value; };
   RobotResult::visitMeasures(put, result);
   RobotInput::visitFields(put, result.input);
+  py::list goals;
+  for (const RobotGoalResult& goal : result.goals) {
+    py::dict of_goal;
+    RobotGoalResult::visitFields([&](const char* name, const auto& value) { of_goal[name] = value; }, goal);
+    goals.append(of_goal);
+  }
+  fields["goals"] = goals;
   return fields;
 }
 

@@ -18,8 +18,6 @@ using library::AgentArrays;
 using library::RobotArrays;
 using library::RobotBatch;
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 /// The arrays of a batch by name; its owner keeps them alive.
 py::dict arraysOf(const py::object& owner) {
   const auto& batch = owner.cast<const RobotBatch&>();
@@ -111,15 +109,7 @@ void bindRobots(py::module_& module) {
              return py::make_tuple(viewOf(arrays->position, 2, owner), viewOf(arrays->radius, 0, owner),
                                    viewOf(arrays->status, 0, owner));
            })
-      .def("walls", [](const RobotBatch& batch, std::size_t element) {
-        const std::vector<library::Wall> walls = batch.walls(element);
-        py::array_t<double> array({walls.size(), std::size_t{4}});
-        double* to = array.mutable_data();
-        for (const library::Wall& wall : walls) {
-          for (const double number : {wall.from.x, wall.from.y, wall.to.x, wall.to.y}) *to++ = number;
-        }
-        return array;
-      });
+      .def("walls", [](const RobotBatch& batch, std::size_t element) { return arrayOf(batch.walls(element)); });
 }
 
 }  // namespace crowd::python

@@ -107,6 +107,7 @@ TEST(RobotBatch, RefusesInvalidInput) {
   EXPECT_THROW(batch.step(ahead(2)), InputError);  // nothing has begun
   EXPECT_THROW(batch.begin({{2, 0, 1, 0, 0}}), InputError);
   EXPECT_THROW(batch.begin({{0, 1, 1, 0, 0}}), InputError);
+  EXPECT_THROW(batch.begin({{1, 0, 1, 0, 0}, {1, 0, 2, 0, 0}}), InputError);
   batch.begin({{0, 0, 1, 0, 0}, {1, 0, 2, 0, 0}});
   EXPECT_THROW(batch.step(ahead(1)), InputError);
   for (const double number : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

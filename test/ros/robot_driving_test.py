@@ -168,7 +168,8 @@ walls:'''
         self.assertEqual([pose.position.y for pose in people.wait().poses], [20.0])
 
     def test_a_new_goal_replaces_the_goal(self):
-        self.start_all(scenario(more=', goal: [4, 0]'))
+        # A robot with a radius of 0.3 m cannot come within 0.2 m of a wall.
+        self.start_all(scenario(more=', goal: [4, 0]').replace('goal_tolerance: 0.3', 'goal_tolerance: 0.2'))
         goals = self.listen('goal', PoseStamped).wait_connected()
         goals.wait()
         publisher = self.publisher('new_goal', PoseStamped)

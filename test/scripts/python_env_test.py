@@ -321,6 +321,13 @@ class ErrorTest:
             env.reset(seed=-1)
         with pytest.raises(social_crowd.InputError, match='options: expected episode, number, got episodes'):
             env.reset(options={'episodes': 1})
+        env.reset(seed=3)
+        expected = env.reset()[1]['seed']
+        env.reset(seed=3)
+        for seed in (None, 5):
+            with pytest.raises(social_crowd.InputError):
+                env.reset(seed=seed, options={'number': -1})
+        assert env.reset()[1]['seed'] == expected  # what was refused has drawn no seed
         many = social_crowd.VecEnv(SHORT, 2)
         with pytest.raises(social_crowd.InputError, match='seed: expected 2 numbers, got 3'):
             many.reset(seed=[1, 2, 3])
