@@ -180,13 +180,29 @@ def parse(arguments):
     parser.add_argument('--seed', type=int, default=1, help='of the training (default: %(default)s)')
     parser.add_argument('--threads', type=int, default=0, help='0: one for each processor')
     parser.add_argument('--output', default='policy', help='.npy, .csv and .png are added (default: %(default)s)')
-    return parser.parse_args(arguments)
+    given = parser.parse_args(arguments)
+    for name in ('generations', 'population', 'episodes', 'held_out', 'every'):
+        if getattr(given, name) < 1:
+            parser.error(f"--{name.replace('_', '-')}: expected at least 1, got {getattr(given, name)}")
+    return given
 
 
 def main():
     """Trains, compares, and writes the policy and its curves."""
     arguments = parse(sys.argv[1:])
     scenario = arguments.scenario or SCENARIO
+    try:
+        if make_env(scenario, 1, 1).single_action_space.shape != (2,):
+            raise social_crowd.InputError(f'{scenario}: the policy drives robots with drive: differential')
+        with open(f'{arguments.output}.npy', 'ab'):  # an error now, rather than after the training
+            pass
+        train_and_compare(scenario, arguments)
+    except (social_crowd.CrowdError, OSError) as error:
+        sys.exit(f'train_policy.py: {error}')
+
+
+def train_and_compare(scenario, arguments):
+    """Trains a policy, scores it beside the reactive rule, and writes the files."""
     baseline = score_controller(scenario, 'reactive', arguments.held_out)
     print(f'reactive rule: {100 * baseline[0]:.0f} % arrived without contact, after {baseline[1]:.1f} s')
     untrained, _ = score_policy(scenario, Policy(numpy.zeros(Policy.SIZE)), arguments.held_out)

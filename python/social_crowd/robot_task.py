@@ -23,6 +23,8 @@ class RobotTask:
         self.backend = backend
         self.robot = robot = rounded(backend.robot)
         self._observer = Observation.of(observation).observer(robot)
+        if not callable(reward):
+            raise InputError(f'reward: expected a function, got {reward!r}')
         self._reward = reward
         self._contact_ends = contact_ends
         speed, turn = robot['max_speed'], robot['max_rotation']
@@ -91,12 +93,17 @@ class RobotTask:
             rewards = self._reward(of_robot(before, 0), of_robot(after, 0))
         else:
             rewards = self._reward(types.SimpleNamespace(**before), types.SimpleNamespace(**after))
-        rewards = numpy.asarray(rewards, dtype=float)
         shape = (count,) if self.backend.is_batch else ()
-        if rewards.shape != shape:
-            raise InputError(f'reward: expected {f"an array of {count} numbers" if shape else "a number"}, got shape '
-                             f'{rewards.shape}; see social_crowd.each_robot')
-        return rewards
+        expected = f'expected {f"an array of {count} numbers" if shape else "a number"}'
+        try:
+            numbers = numpy.asarray(rewards, dtype=float)
+        except (TypeError, ValueError):
+            raise InputError(f'reward: {expected}, got {rewards!r}') from None
+        if numbers.shape != shape and rewards is not None:
+            raise InputError(f'reward: {expected}, got shape {numbers.shape}; see social_crowd.each_robot')
+        if not numpy.isfinite(numbers).all():
+            raise InputError(f'reward: {expected}, got {rewards!r}')
+        return numbers
 
 
 def rounded(robot):

@@ -174,7 +174,7 @@ class ReadmeTest:
         pytest.importorskip('social_crowd._core')
         terminal.write('policy.py', other_blocks(README)[0])
         said = terminal.run('/usr/bin/python3 policy.py')
-        assert re.search(r'^arrived without a contact: \d+ of 20\nreactive rule: \d+ arrived$', said, re.MULTILINE), \
+        assert re.search(r'^arrived without a contact: \d+ of 20\nreactive rule: \d+ of 20$', said, re.MULTILINE), \
             said
 
     def test_the_example_of_a_robot(self, terminal):

@@ -10,8 +10,8 @@ struct ForceBody {
   Vector2 velocity = Vector2::Zero();  ///< [m/s]
 };
 
-/// @brief The interaction force by which one body avoids another one [m/s^2]: f(d, theta) of Moussaid et al. 2009, eq. (3)
-/// to (6), with the parameters of lightsfm, which HuNavSim uses (docs/metrics.md, "Forces"). Zero for bodies at the
+/// @brief The interaction force by which one body avoids another one [m/s^2]: f(d, theta) of Moussaid et al. 2009, eq.
+/// (3) to (6), with the parameters of lightsfm, which HuNavSim uses (docs/metrics.md, "Forces"). Zero for bodies at the
 /// same place.
 Vector2 interactionForce(const ForceBody& on, const ForceBody& from);
 
