@@ -69,7 +69,7 @@ struct RobotState {
   double radius = 0.0;          ///< of the disc that agents perceive [m]
   std::optional<Vector2> goal;  ///< present goal, or the last one after arrival [m]
   bool arrived = false;
-  bool in_contact = false;  ///< with agents, in the last tick
+  bool in_contact = false;  ///< with people, in the last tick
 };
 
 /// @brief Decides for all agents whose turn it is; agents without an action stay. Called in the thread of

@@ -37,7 +37,7 @@ struct RobotArrays {
   std::vector<double> goal;                ///< x ahead, y left; zeros without a goal
   std::vector<double> remaining_distance;  ///< straight from here via all goals that are left; 0 without a goal
   std::vector<double> clearance;           ///< from its footprint to the nearest body of a person; infinite: nobody
-  std::vector<std::uint32_t> contacts;     ///< number of agents in contact with it in the ticks of this step
+  std::vector<std::uint32_t> contacts;     ///< number of people in contact with it in the ticks of this step
   std::vector<std::uint32_t> contacts_by_robot;   ///< of these: it moved into them
   std::vector<std::uint32_t> contacts_by_person;  ///< of these: they moved into it
   std::vector<std::uint8_t> has_goal;

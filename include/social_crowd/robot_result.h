@@ -83,8 +83,8 @@ struct RobotGoalResult {
 /// HuNavSim where it has the metric. They are measured until the robot arrives, or until the end. A number that nothing
 /// was measured for is NaN.
 ///
-/// The distance to a person is that from the person's centre to the robot's footprint; people are the agents on their
-/// way. A new field also belongs in visitMeasures().
+/// The distance to a person is that from the person's centre to the robot's footprint; people are the agents on
+/// their way, those who stay, and recorded people. A new field also belongs in visitMeasures().
 struct RobotResult {
   static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
 

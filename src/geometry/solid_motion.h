@@ -58,6 +58,8 @@ class SolidMotion {
   std::vector<Outcome>& outcomes() { return outcomes_; }
   /// @brief The motions of the robots after all impacts, in their order; valid until the next call of move().
   const std::vector<RobotSweep>& sweeps() const { return sweeps_; }
+  /// @brief Index of the first robot among the discs of the last call, which are followed by robots only.
+  std::uint32_t firstRobot() const { return static_cast<std::uint32_t>(outcomes_.size() - sweeps_.size()); }
   /// @brief Common impacts of discs and robots in the last call; a pair may be repeated.
   const std::vector<Touch>& touches() const { return touches_; }
 

@@ -45,16 +45,17 @@ ShortestWay RobotMonitor::waysOf(const ObservedScene& scene, const Robot& robot)
 
 void RobotMonitor::observe(const ObservedScene& scene) {
   bool has_begun = false;
+  sampler_.begin(scene);
   for (RobotId id = 0; id < tracks_.size(); ++id) {
     RobotTrack& track = tracks_[id];
     const Robot& robot = *scene.robots[id].robot;
-    if (robot.goals != track.goals()) track.setGoals(robot, waysOf(scene, robot));
+    if (robot.goals_set != track.goalsSet()) track.setGoals(robot, waysOf(scene, robot));
     measured_[id] = !track.hasArrived();
-    if (track.hasArrived()) continue;
-    if (!std::exchange(has_begun, true)) {
-      sampler_.begin(scene);
-      notePlaces(scene);
+    if (track.hasArrived()) {
+      track.follow(sampler_.follow(scene, id, track.last()));
+      continue;
     }
+    if (!std::exchange(has_begun, true)) notePlaces(scene);
     track.add(scene.robots[id], sampler_.measure(scene, id, track.last(), track.nextGoal()));
   }
 }

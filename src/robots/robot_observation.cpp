@@ -16,6 +16,10 @@ double clearanceOf(const Robot& robot, const World& world) {
     const double apart = distance(robot.start.footprint, robot.pose, agent.pose.position);
     clearance = std::min(clearance, apart - agent.radius);
   }
+  for (const Neighbour& person : world.recordedPeople()) {
+    const double apart = distance(robot.start.footprint, robot.pose, person.position);
+    clearance = std::min(clearance, apart - person.radius);
+  }
   return clearance;
 }
 

@@ -18,7 +18,7 @@ struct RobotObservation {
   bool blocked = false;             ///< stopped by an impact in the last tick
   Vector2 goal = Vector2::Zero();   ///< present goal, robot frame [m]
   double remaining_distance = 0.0;  ///< see Robot::remainingDistance()
-  std::vector<AgentId> contacts;    ///< agents in contact with it, each once
+  std::vector<AgentId> contacts;    ///< agents and recorded people in contact with it, each once
   std::vector<AgentId> by_robot;    ///< of these: it moved into them
   std::vector<AgentId> by_person;   ///< of these: they moved into it
   double clearance =

@@ -62,9 +62,9 @@ enum class RobotStatus : std::uint8_t { DRIVING = 0, ARRIVED = 1 };
 enum class ContactCause : std::uint8_t { ROBOT = 0, PERSON = 1, MUTUAL = 2 };
 inline constexpr EnumNames<ContactCause, 3> CONTACT_CAUSES{"cause", {"robot", "person", "mutual"}};
 
-/// @brief A contact of a robot and an agent in a tick.
+/// @brief A contact of a robot and a person in a tick.
 struct RobotContact {
-  AgentId agent = 0;
+  AgentId agent = 0;  ///< of a recorded person: idOfRecorded()
   ContactCause cause = ContactCause::MUTUAL;
   bool begins = false;  ///< they were not in contact in the tick before
 };
@@ -79,12 +79,14 @@ struct Robot {
   double perceived_radius = 0.0;       ///< of the disc that agents perceive [m]
   std::vector<Vector2> goals;          ///< [m], `map`
   std::size_t next_goal = 0;
+  std::uint64_t goals_set = 0;  ///< number of times that it got other goals, or the same ones again
   RobotStatus status = RobotStatus::DRIVING;
   bool sent = false;                   ///< a user has given it a goal in this episode, see Robots::send()
   double waited = 0.0;                 ///< how long it waits() already [s]
   bool blocked = false;                ///< an impact changed its last move; solid worlds only
-  bool jumped = false;                 ///< EXTERNAL: its last move was a jump
-  std::vector<RobotContact> contacts;  ///< with agents, in the last tick
+  bool teleported = false;             ///< since the last tick
+  bool jumped = false;                 ///< it was teleported before its last move, or, EXTERNAL, this was a jump
+  std::vector<RobotContact> contacts;  ///< with agents and recorded people, in the last tick
 
   bool hasArrived() const { return status == RobotStatus::ARRIVED; }
   bool hasGoal() const { return !goals.empty(); }

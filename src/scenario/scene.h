@@ -96,6 +96,9 @@ struct Obstacle {
   std::optional<std::uint64_t> person = std::nullopt;  ///< number in its recording of a recorded person, else absent
 };
 
+/// @brief The id of a recorded person among people, by the number of the obstacle that it is. No agent has it.
+constexpr AgentId idOfRecorded(std::size_t obstacle) { return ~static_cast<AgentId>(obstacle); }
+
 struct PopulationDescription;
 
 /// @brief Initial state and settings of one episode. The ids of the agents are their indices.

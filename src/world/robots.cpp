@@ -25,8 +25,9 @@ std::optional<WallSliding> slidingOf(const RobotStart& robot) {
   return WallSliding{robot.limits.max_rotation, robot.drive != Drive::ACKERMANN};
 }
 
-/// The cause of a contact if robot and agent move as they intend: a side moves in if its motion alone touches the other
-/// side at the place of the start of the tick. @param start of the agent [m] @param way of the agent in the tick [m]
+/// The cause of a contact if robot and person move as they intend: a side moves in if its motion alone touches the
+/// other side at the place of the start of the tick. @param start of the person [m] @param way of the person in the
+/// tick [m]
 ContactCause causeOf(const RobotSweep& sweep, const Vector2& start, const Vector2& way, double radius) {
   const Pose pose = sweep.at(0.0);
   const RobotSweep standing(sweep.footprint(), pose, pose);
@@ -108,6 +109,7 @@ void Robots::setGoals(RobotId id, std::vector<Vector2> goals) {
   for (const Vector2& goal : goals) requirePlace("goal [m]", goal);
   robot.goals = std::move(goals);
   robot.next_goal = 0;
+  ++robot.goals_set;
   robot.status = RobotStatus::DRIVING;
 }
 
@@ -121,6 +123,7 @@ void Robots::teleport(RobotId id, const Pose& pose) {
   robot.pose = {pose.position, wrapAngle(pose.heading)};
   robot.twist = Twist();
   robot.velocity = Vector2::Zero();
+  robot.teleported = true;
   places_[id].reset();
 }
 
@@ -144,7 +147,7 @@ void Robots::beginMoves(const std::vector<Agent>& agents, const std::vector<Neig
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
     robot.blocked = false;
-    robot.jumped = false;
+    robot.jumped = std::exchange(robot.teleported, false);
     const Footprint& footprint = robot.start.footprint;
     if (robot.start.drive != Drive::EXTERNAL) {
       robot.twist = doesRobotYield(robot.start.yields)
@@ -154,13 +157,17 @@ void Robots::beginMoves(const std::vector<Agent>& agents, const std::vector<Neig
       continue;
     }
     robot.velocity = Vector2::Zero();
-    const Pose from = robot.pose;
+    Pose from = robot.pose;
     if (const auto place = std::exchange(places_[i], std::nullopt)) {
       robot.pose = place->pose;
-      robot.jumped = place->jump;
-      if (!place->jump) robot.velocity = place->velocity;
+      if (place->jump) {
+        robot.jumped = true;
+        from = robot.pose;
+      } else {
+        robot.velocity = place->velocity;
+      }
     }
-    sweeps_.emplace_back(footprint, robot.jumped ? robot.pose : from, robot.pose);
+    sweeps_.emplace_back(footprint, from, robot.pose);
   }
 }
 
@@ -178,20 +185,21 @@ void Robots::addDiscs(std::vector<SolidMotion::Disc>& discs) const {
   }
 }
 
-void Robots::noteContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way) {
-  const auto is_with = [&](const RobotContact& contact) { return contact.agent == agent.id; };
+void Robots::noteContact(RobotId id, const PersonMotion& person) {
+  const auto is_with = [&](const RobotContact& contact) { return contact.agent == person.id; };
   std::vector<RobotContact>& present = contacts_[id];
   if (std::any_of(present.begin(), present.end(), is_with)) return;
   const Robot& robot = robots_[id];
   const auto earlier = std::find_if(robot.contacts.begin(), robot.contacts.end(), is_with);
   if (earlier != robot.contacts.end()) {
-    present.push_back({agent.id, earlier->cause, false});
+    present.push_back({person.id, earlier->cause, false});
     return;
   }
   const RobotSweep& sweep = sweeps_[id];
-  const bool jumped_onto = robot.jumped && overlaps(sweep, start, agent.radius);
-  const double radius = agent.radius - (contact_ == Contact::GHOST ? CONTACT_OVERLAP : 0.0);
-  present.push_back({agent.id, jumped_onto ? ContactCause::ROBOT : causeOf(sweep, start, way, radius), true});
+  const bool jumped_onto = robot.jumped && overlaps(sweep, person.start, person.radius);
+  const double radius = person.radius - (contact_ == Contact::GHOST ? CONTACT_OVERLAP : 0.0);
+  present.push_back(
+      {person.id, jumped_onto ? ContactCause::ROBOT : causeOf(sweep, person.start, person.way, radius), true});
 }
 
 void Robots::noteSolidContacts(const std::vector<Agent>& agents, const std::vector<SolidMotion::Disc>& discs,
@@ -201,30 +209,56 @@ void Robots::noteSolidContacts(const std::vector<Agent>& agents, const std::vect
   std::uint32_t disc = 0;
   for (const Agent& agent : agents) {
     if (!agent.isPresent()) continue;
-    const SolidMotion::Disc& intended = discs[disc];
+    const PersonMotion person{agent.id, agent.radius, discs[disc].position, discs[disc].way};
     for (const SolidMotion::Touch& touch : touches) {
-      if (touch.disc == disc) noteContact(touch.robot - first_robot, agent, intended.position, intended.way);
+      if (touch.disc == disc) noteContact(touch.robot - first_robot, person);
     }
     for (RobotId id = 0; id < robots_.size(); ++id) {
-      if (!overlaps(sweeps_[id], intended.position, agent.radius - CONTACT_OVERLAP)) continue;
-      noteContact(id, agent, intended.position, intended.way);
+      if (overlaps(sweeps_[id], person.start, person.radius - CONTACT_OVERLAP)) noteContact(id, person);
     }
     ++disc;
   }
 }
 
+void Robots::noteRecordedContacts(const std::vector<PersonMotion>& recorded, const SolidMotion& moved) {
+  for (const PersonMotion& person : recorded) {
+    for (const SolidMotion::Touch& touch : moved.touches()) {
+      if (touch.disc == person.disc) noteContact(touch.robot - moved.firstRobot(), person);
+    }
+    const double radius = person.radius - CONTACT_OVERLAP;
+    for (RobotId id = 0; id < robots_.size(); ++id) {
+      // There are no impacts with a robot that stands after one, or that is EXTERNAL.
+      const RobotSweep& sweep = moved.sweeps()[id];
+      const double from = robots_[id].start.drive == Drive::EXTERNAL ? 0.0 : sweep.stoppedAt();
+      const Vector2 place = person.start + from * person.way;
+      const bool is_passed = from < 1.0 && firstTouch(sweep, place, person.way, radius, from) < NO_IMPACT;
+      if (is_passed || overlaps(sweeps_[id], person.start, radius)) noteContact(id, person);
+    }
+  }
+}
+
 void Robots::noteGhostContacts(const Span<Agent>& agents, double time) {
   for (RobotId id = 0; id < robots_.size(); ++id) {
-    const RobotSweep& sweep = sweeps_[id];
     for (const Agent& agent : agents) {
       if (!agent.isPresent()) continue;
       const Vector2 way = time * agent.velocity;
-      const Vector2 start = agent.pose.position - way;
-      const double radius = agent.radius - CONTACT_OVERLAP;
-      const bool touches = overlaps(sweep, start, radius) || firstTouch(sweep, start, way, radius, 0.0) < NO_IMPACT;
-      if (touches) noteContact(id, agent, start, way);
+      noteGhostContact(id, {agent.id, agent.radius, agent.pose.position - way, way});
     }
   }
+}
+
+void Robots::noteGhostContacts(const std::vector<PersonMotion>& people) {
+  for (RobotId id = 0; id < robots_.size(); ++id) {
+    for (const PersonMotion& person : people) noteGhostContact(id, person);
+  }
+}
+
+void Robots::noteGhostContact(RobotId id, const PersonMotion& person) {
+  const RobotSweep& sweep = sweeps_[id];
+  const double radius = person.radius - CONTACT_OVERLAP;
+  const bool touches =
+      overlaps(sweep, person.start, radius) || firstTouch(sweep, person.start, person.way, radius, 0.0) < NO_IMPACT;
+  if (touches) noteContact(id, person);
 }
 
 void Robots::endMoves() {

@@ -15,12 +15,21 @@
 
 namespace crowd {
 
-/// @brief The robots of a world: what they are told to do, their motions, and their contacts with agents. They are not
+/// @brief The motion of a person in a tick, if nothing is in the way.
+struct PersonMotion {
+  AgentId id = 0;
+  double radius = 0.0;              ///< [m]
+  Vector2 start = Vector2::Zero();  ///< [m], `map`
+  Vector2 way = Vector2::Zero();    ///< [m]
+  std::uint32_t disc = 0;           ///< index among the bodies of a solid world
+};
+
+/// @brief The robots of a world: what they are told to do, their motions, and their contacts with people. They are not
 /// in the grid of bodies: there are few of them, and agents perceive them as discs that are larger than their
 /// footprints, or not at all.
 ///
-/// In each tick World calls beginMoves(), in a solid world addDiscs(), noteSolidContacts() and replaceMotions(), in a
-/// ghost world noteGhostContacts(), then endMoves().
+/// In each tick World calls beginMoves(), in a solid world addDiscs(), noteSolidContacts(), noteRecordedContacts() and
+/// replaceMotions(), in a ghost world noteGhostContacts(), then endMoves().
 class Robots {
  public:
   explicit Robots(const Scene& scene);
@@ -74,8 +83,12 @@ class Robots {
                          const std::vector<SolidMotion::Touch>& touches);
   /// @brief Replaces the motions by those after impacts. @param sweeps of the robots
   void replaceMotions(const std::vector<RobotSweep>& sweeps) { sweeps_ = sweeps; }
+  /// @brief Notes contacts with recorded people in a solid world. They pass over robots that have stopped.
+  void noteRecordedContacts(const std::vector<PersonMotion>& recorded, const SolidMotion& moved);
   /// @brief Notes contacts with agents that have just moved for a time [s] in a ghost world.
   void noteGhostContacts(const Span<Agent>& agents, double time);
+  /// @brief Notes contacts with people whom nothing stops and who stop nothing.
+  void noteGhostContacts(const std::vector<PersonMotion>& people);
   /// @brief Puts the robots where they are at the end of the tick, and counts the goals that they have reached.
   void endMoves();
 
@@ -88,7 +101,8 @@ class Robots {
   };
 
   Robot& find(RobotId id);
-  void noteContact(RobotId id, const Agent& agent, const Vector2& start, const Vector2& way);
+  void noteContact(RobotId id, const PersonMotion& person);
+  void noteGhostContact(RobotId id, const PersonMotion& person);
 
   double tick_duration_;
   Contact contact_;

@@ -138,6 +138,27 @@ std::vector<Neighbour> World::recordedPeople() const {
   return people;
 }
 
+std::vector<PersonMotion> World::recordedMotions() const {
+  std::vector<PersonMotion> motions;
+  if (robots_.empty()) return motions;
+  const double end = static_cast<double>(tick_ + 1) * tick_duration_;
+  for (const MovingObstacle& mover : moving_obstacles_) {
+    const Obstacle& obstacle = obstacles_[mover.number];
+    if (!obstacle.person || mover.rank == ABSENT) continue;
+    PersonMotion& motion = motions.emplace_back();
+    motion.id = idOfRecorded(mover.number);
+    motion.radius = obstacle.radius;
+    motion.start = obstacle_motions_[mover.number].position;
+    motion.way = obstacle.path.position(end) - motion.start;
+    motion.disc = static_cast<std::uint32_t>(mover.rank);
+  }
+  if (motions.empty()) return motions;
+  const auto is_there = [](const Agent& agent) { return agent.isPresent(); };
+  const auto agents = static_cast<std::uint32_t>(std::count_if(agents_.begin(), agents_.end(), is_there));
+  for (PersonMotion& motion : motions) motion.disc += agents;
+  return motions;
+}
+
 void World::step(const std::vector<AgentAction>& actions, ThreadPool& thread_pool) {
   beginStep(actions, thread_pool);
   stop_.throwIfMade();
@@ -169,6 +190,7 @@ void World::endStep(ThreadPool& thread_pool) {
     carryOutSolidMotions(EVERY_BODY);
   } else {
     robots_.noteGhostContacts({agents_.values().data(), agents_.size()}, tick_duration_);
+    robots_.noteGhostContacts(recordedMotions());
   }
   finishTick(thread_pool);
 }
@@ -211,6 +233,7 @@ void World::endTick(ThreadPool& thread_pool) {
     carryOutSolidMotions(is_obstacle);
   } else {
     robots_.noteGhostContacts({agents_.values().data(), agents_.size()}, 0.0);
+    robots_.noteGhostContacts(recordedMotions());
   }
   finishTick(thread_pool);
 }
@@ -335,6 +358,8 @@ void World::carryOutSolidMotions(const Moves& moves) {
   const std::vector<SolidMotion::Outcome>& outcomes = solid_motion_.outcomes();
   auto outcome = outcomes.begin();
   robots_.noteSolidContacts(agents_.values(), discs_, solid_motion_.touches());
+  const bool do_obstacles_move = moves(agents_.size());
+  if (do_obstacles_move) robots_.noteRecordedContacts(recordedMotions(), solid_motion_);
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     Agent& agent = agents_.nth(i);
     if (!agent.isPresent()) continue;

@@ -82,6 +82,8 @@ class World {
   bool isPresent(const Obstacle& obstacle) const { return obstacle.path.isPresent(time()); }
   /// @brief The recorded people who are present, in `map`.
   std::vector<Neighbour> recordedPeople() const;
+  /// @brief Their motions in the coming tick; none without robots.
+  std::vector<PersonMotion> recordedMotions() const;
   const Walls& walls() const { return walls_; }
   /// @brief Number of changes of walls and obstacles at rest, for caches of what depends on them.
   std::uint64_t layoutChanges() const { return layout_changes_; }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "robots/log/robot_log_reading.h"
@@ -63,8 +64,10 @@ TEST(RobotLog, MadeByHandIsScored) {
 
 TEST(RobotLog, ContactsAndImpactsOfTheLogCount) {
   const auto score = [](const std::string& more) {
-    return scored(HEADER + R"({"tick": 5, "robots": [{"x": 0, "y": 0, "heading": 0}]})" + "\n" +
-                  R"({"tick": 6, "robots": [{"x": 0.5, "y": 0, "heading": 0)" + more + "}]}\n");
+    return scored(HEADER +
+                  R"({"tick": 5, "robots": [{"x": 0, "y": 0, "heading": 0, "vx": 0, "vy": 0}],)"
+                  R"( "people": [{"id": 4, "x": 0, "y": 9}]})" +
+                  "\n" + R"({"tick": 6, "robots": [{"x": 0.5, "y": 0, "heading": 0)" + more + "}]}\n");
   };
   EXPECT_NEAR(score("").max_acceleration, 2.0, 1e-12);
   EXPECT_EQ(score(R"(, "impact": true)").max_acceleration, 0.0);
@@ -73,11 +76,34 @@ TEST(RobotLog, ContactsAndImpactsOfTheLogCount) {
   EXPECT_NEAR(score(R"(, "vx": 3, "vy": 4)").max_speed, 5.0, 1e-12);
 }
 
+TEST(RobotLog, TheFirstLineMayHaveTheVelocityBefore) {
+  // 1 m/s in all three ticks of 0.5 s.
+  const auto score = [](const std::string& velocity) {
+    std::string log = HEADER + R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0)" + velocity + "}]}\n";
+    for (int tick = 1; tick <= 3; ++tick) {
+      log += R"({"tick": )" + std::to_string(tick) + R"(, "robots": [{"x": )" + std::to_string(0.5 * tick) +
+             R"(, "y": 0, "heading": 0}]})" + "\n";
+    }
+    return scored(log);
+  };
+  EXPECT_EQ(score(R"(, "vx": 1, "vy": 0)").max_acceleration, 0.0);
+  EXPECT_EQ(score(R"(, "vx": 1, "vy": 0)").max_jerk, 0.0);
+  // From rest: 2 m/s^2, 0, 0, and 4 m/s^3, 4 m/s^3, 0.
+  EXPECT_NEAR(score(R"(, "vx": 0, "vy": 0)").avg_acceleration, 2.0 / 3.0, 1e-12);
+  EXPECT_NEAR(score(R"(, "vx": 0, "vy": 0)").avg_jerk, 8.0 / 3.0, 1e-12);
+  EXPECT_NEAR(score(R"(, "vx": 1, "vy": 2)").max_acceleration, 4.0, 1e-12);
+  // Without it, the first acceleration and the first two jerks are not known.
+  EXPECT_EQ(score("").max_acceleration, 0.0);
+  EXPECT_EQ(score("").min_acceleration, 0.0);
+  EXPECT_EQ(score("").max_jerk, 0.0);
+  EXPECT_NEAR(score("").avg_robot_linear_speed, 1.0, 1e-12);
+}
+
 TEST(RobotLog, WithoutTheKeyABeginningContactIsAnImpact) {
   const std::string header = R"({"tick_duration": 1, "walls": [[1.3, -1, 1.3, 1]], "robots": [{"radius": 0.3}]})";
   const std::string ticks =
       "\n"
-      R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0}]})"
+      R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0, "vx": 0, "vy": 0}]})"
       "\n"
       R"({"tick": 1, "robots": [{"x": 0.1, "y": 0, "heading": 0}]})"
       "\n"
@@ -112,6 +138,11 @@ TEST(RobotLog, ErrorsSayWhereAndWhatIsExpected) {
        "line 2: people: there are two people 1"},
       {HEADER + tick + "\n" + R"({"tick": 1, "robots": [{"x": 9999, "y": 0, "heading": 0}]})",
        "line 3: robots[0]: velocity [m/s]: expected"},
+      {HEADER + tick + "\n" + R"({"tick": 1, "robots": [{"x": 0, "y": 0, "heading": 0}], "arrived": [11]})",
+       "line 3: arrived[0]: there has been no person 11 in 'people'"},
+      {HEADER +
+           R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0, "contacts": [{"person": 4, "cause": "robot"}]}]})",
+       "line 2: robots[0].contacts[0].person: there has been no person 4 in 'people'"},
       {HEADER + tick + "\n{\"tick\": 1, ", "this is not YAML"},
       {"{\"tick_duration\": 0, \"robots\": []}", "line 1: tick_duration: expected a number above 0, got '0'"},
       {"{\"tick_duration\": 1, \"robots\": []}", "line 1: robots: expected at least one robot"},
@@ -140,6 +171,10 @@ Scene randomWorld(std::uint64_t seed, KeyedRandom& random) {
   Scene made = scenes::randomScene(seed, 20, 5.0);
   made.contact = random.below(2) == 0 ? Contact::SOLID : Contact::GHOST;
   for (AgentStart& start : made.agents) start.group = random.below(3) == 0 ? random.below(3) : NO_GROUP;
+  const auto track = std::make_shared<const Track>(
+      std::vector<double>{1.0, 4.0},
+      std::vector<Vector2>{scenes::randomPoint(random, 5.0), scenes::randomPoint(random, 5.0)});
+  made.obstacles.push_back({ObstaclePath::recorded(track), 0.6, 12});
   for (std::size_t i = 0; i < 2; ++i) {
     RobotStart start = robot(scenes::randomPoint(random, 5.0), random.uniform(-PI, PI));
     start.name = "robot_" + std::to_string(i);
@@ -177,6 +212,8 @@ void expectSame(const RobotResult& result, const RobotResult& expected) {
 
 TEST(RobotLogProperty, OfAnEpisodeHasTheSameResultsBitForBit) {
   std::uint64_t contacts = 0;
+  std::uint64_t with_recorded = 0;
+  std::uint64_t teleports = 0;
   forSeeds(12, KeyedRandom::PLACEMENT, [&](std::uint64_t seed, KeyedRandom& random) {
     Episode episode(randomWorld(seed, random), seed, Vision());
     RobotLogRecord record;
@@ -187,8 +224,18 @@ TEST(RobotLogProperty, OfAnEpisodeHasTheSameResultsBitForBit) {
         const Vector2 linear(random.uniform(-0.2, 1.5), random.uniform(-0.5, 0.5));
         episode.robots().command(id, {linear, random.uniform(-1.0, 1.0)});
       }
+      const Vector2 place = scenes::randomPoint(random, 5.0);
+      if (tick % 20 == 10 && episode.world().blockerAt(place, 0.5).empty()) {
+        episode.edit().teleportRobot(0, {place, random.uniform(-PI, PI)});
+        ++teleports;
+      }
       episode.step(scenes::randomActions(episode.world(), random));
       record.append(episode, log);
+      for (const Robot& robot : episode.world().robots()) {
+        for (const RobotContact& contact : robot.contacts) {
+          with_recorded += contact.agent == idOfRecorded(episode.world().obstacles().size() - 1) ? 1 : 0;
+        }
+      }
     }
     std::vector<RobotResult> results;
     LogScoring scoring;
@@ -204,6 +251,8 @@ TEST(RobotLogProperty, OfAnEpisodeHasTheSameResultsBitForBit) {
     }
   });
   EXPECT_GT(contacts, 10U);
+  EXPECT_GT(with_recorded, 0U);
+  EXPECT_GT(teleports, 5U);
 }
 
 TEST(RobotLog, HasTheNamesOfTheScenario) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "support/robot_episodes.h"
 #include "support/worlds.h"
@@ -92,6 +93,113 @@ TEST(RobotResult, CountsContactsByCause) {
   EXPECT_EQ(result.mutual_collisions, 0U);
   EXPECT_NEAR(result.contact_time, 1.2, 1e-9);
   EXPECT_FALSE(result.isClean());
+}
+
+TEST(RobotResult, CountsContactsWithRecordedPeople) {
+  // A person of 0.25 m at 1 - t m walks through the robot of 0.3 m, in ticks 5 to 16.
+  for (const Contact contact : {Contact::GHOST, Contact::SOLID}) {
+    Scene made = with({robot({0.0, 0.0})}, scene({}));
+    made.contact = contact;
+    const auto track =
+        std::make_shared<const Track>(std::vector<double>{0.0, 2.0}, std::vector<Vector2>{{1.0, 0.0}, {-1.0, 0.0}});
+    made.obstacles = {{ObstaclePath::recorded(track), 0.25, 12}};
+    const RobotResult result = resultAfter(25, made, {});
+    EXPECT_EQ(result.person_on_robot_collisions, 1U);
+    EXPECT_EQ(result.people_contacts, 1U);
+    EXPECT_EQ(result.obstacle_contacts, 0U);
+    EXPECT_NEAR(result.contact_time, 1.2, 1e-9);
+    EXPECT_NEAR(result.minimum_clearance, -0.55, 1e-9);
+  }
+}
+
+TEST(RobotResult, ATeleportIsNoDriving) {
+  // 0.5 m along x, then from (3, 2) 0.5 m along y, the first 0.1 m of which are in the tick of the jump.
+  Episode episode = after(5, with({robotTo({3.0, 5.0}, {0.0, 0.0})}, scene({})), {{1.0, 0.0}, 0.0});
+  const double turned_at_start = episode.world().robots()[0].pose.heading;
+  episode.edit().teleportRobot(0, {{3.0, 2.0}, PI / 2.0});
+  for (int tick = 0; tick < 5; ++tick) episode.step({});
+  const RobotResult result = episode.result().robots.at(0);
+  EXPECT_NEAR(episode.world().robots()[0].pose.position.y(), 2.5, 1e-12);
+  EXPECT_GT(std::abs(turned_at_start - PI / 2.0), 0.1);
+  EXPECT_NEAR(result.path_length, 0.9, 1e-12);
+  EXPECT_NEAR(result.cumulative_heading_changes, 0.0, 1e-12);
+  EXPECT_NEAR(result.max_acceleration, 10.0, 1e-9);  // of the first tick
+  EXPECT_NEAR(result.avg_acceleration, 10.0 / 9.0, 1e-9);
+  EXPECT_NEAR(result.avg_jerk, 200.0 / 8.0, 1e-9);  // of the first two ticks
+  // 0.5 m up to the jump, and 2.9 m from (3, 2.1) on.
+  EXPECT_NEAR(result.shortest_path_length, 0.5 + 2.9 - 0.1, 1e-12);
+  EXPECT_NEAR(result.goals.at(0).path_length, 0.9, 1e-12);
+  EXPECT_NEAR(result.goals[0].shortest_path_length, 0.5 + 2.9 - 0.1, 1e-12);
+}
+
+TEST(RobotResult, AJumpOfAPoseIsNoDriving) {
+  RobotStart start = robotTo({9.0, 4.0}, {0.0, 0.0});
+  start.drive = Drive::EXTERNAL;
+  Episode episode(with({start}, scene({})), 0, Vision());
+  episode.step({});
+  episode.robots().place(0, {{5.0, 4.0}, PI}, {1.0, 0.0}, true);  // its first pose
+  episode.step({});
+  for (const double x : {5.1, 5.2}) {
+    episode.robots().place(0, {{x, 4.0}, PI}, {1.0, 0.0}, false);
+    episode.step({});
+  }
+  const RobotResult result = episode.result().robots.at(0);
+  EXPECT_NEAR(result.path_length, 0.2, 1e-12);
+  EXPECT_EQ(result.cumulative_heading_changes, 0.0);
+  EXPECT_NEAR(result.max_acceleration, 10.0, 1e-9);  // from 0 to 1 m/s after the jump
+  EXPECT_EQ(result.max_jerk, 100.0);                 // from that to 0, in the last tick; none in the one after the jump
+  EXPECT_NEAR(result.shortest_path_length, 4.0 - 0.1, 1e-12);  // from the first pose
+}
+
+TEST(RobotResult, WhatARobotDoesAfterItsArrivalIsNotCounted) {
+  // It arrives at 1 m and drives on to 2 m; then it drives 0.1 m to another goal.
+  Episode episode = after(10, with({robotTo({1.05, 0.0}, {0.0, 0.0})}, scene({})), {{1.0, 0.0}, 0.0});
+  EXPECT_TRUE(episode.result().robots.at(0).success);
+  for (int tick = 0; tick < 10; ++tick) episode.step({});
+  const double avg_jerk = episode.result().robots.at(0).avg_jerk;
+  EXPECT_NEAR(avg_jerk, 20.0, 1e-9);  // 100 m/s^3 in each of the first two of ten ticks
+  episode.robots().setGoals(0, {{5.0, 0.0}});
+  episode.step({});
+  const RobotResult result = episode.result().robots.at(0);
+  EXPECT_NEAR(result.path_length, 1.1, 1e-12);
+  EXPECT_NEAR(result.avg_acceleration, 10.0 / 11.0, 1e-9);
+  EXPECT_NEAR(result.avg_jerk, 200.0 / 11.0, 1e-9);
+  EXPECT_NEAR(result.shortest_path_length, 1.0 + 3.0 - 0.1, 1e-9);
+  EXPECT_NEAR(result.goals.at(0).path_length, 0.1, 1e-12);
+  EXPECT_NEAR(result.goals[0].shortest_path_length, 3.0 - 0.1, 1e-9);
+}
+
+TEST(RobotResult, AGoalThatIsSentAgainIsMeasured) {
+  Episode episode = after(10, with({robotTo({1.05, 0.0}, {0.0, 0.0})}, scene({})), {{1.0, 0.0}, 0.0});
+  ASSERT_TRUE(episode.world().robots()[0].hasArrived());
+  for (int tick = 0; tick < 5; ++tick) episode.step({});
+  episode.edit().sendRobot(0, {1.05, 0.0});  // from 1.5 m
+  episode.robots().command(0, {{-1.0, 0.0}, 0.0});
+  for (int tick = 0; tick < 2; ++tick) episode.step({});
+  RobotResult result = episode.result().robots.at(0);
+  EXPECT_FALSE(result.success);
+  EXPECT_TRUE(result.timeout);
+  EXPECT_NEAR(result.minimum_distance_to_goal, 0.25, 1e-9);
+  for (int tick = 0; tick < 2; ++tick) episode.step({});
+  result = episode.result().robots.at(0);
+  EXPECT_TRUE(result.success);
+  EXPECT_NEAR(result.time_to_reach_goal, 1.4, 1e-9);  // 1 s and 0.4 s
+  EXPECT_NEAR(result.path_length, 1.4, 1e-9);
+}
+
+TEST(RobotResult, ATourThatIsSentAgainBeginsAnew) {
+  RobotStart start = robotTo({1.0, 0.0}, {0.0, 0.0});
+  start.goals = {{1.0, 0.0}, {3.0, 0.0}};
+  Episode episode = after(15, with({start}, scene({})), {{1.0, 0.0}, 0.0});
+  EXPECT_TRUE(episode.result().robots.at(0).goals.at(0).success);
+  episode.robots().setGoals(0, start.goals);  // at 1.5 m
+  episode.robots().command(0, {{-1.0, 0.0}, 0.0});
+  for (int tick = 0; tick < 3; ++tick) episode.step({});
+  const RobotResult result = episode.result().robots.at(0);
+  ASSERT_EQ(result.goals.size(), 2U);
+  EXPECT_FALSE(result.goals[0].success);
+  EXPECT_NEAR(result.goals[0].path_length, 0.3, 1e-9);
+  EXPECT_TRUE(std::isnan(result.goals[1].path_length));
 }
 
 TEST(RobotResult, LeavesOutTheAccelerationOfAnImpact) {

@@ -114,6 +114,51 @@ TEST(RobotPeopleMetrics, ClearanceToObstaclesAndContacts) {
   EXPECT_EQ(back.wall_contacts, 0U);
 }
 
+TEST(RobotPeopleMetrics, WhatIsThereAtTheStartIsNoContact) {
+  // It stands at a wall and at a pillar, between the members of a group; it leaves them and comes back.
+  RobotLogHeader header = headerTo({9.0, 0.0});
+  header.walls = {{{-5.0, 0.3}, {5.0, 0.3}}};
+  header.obstacles = {{{0.0, -0.8}, 0.5, false}};
+  std::vector<LoggedPerson> people = {personAt(0, {-1.0, 0.0}), personAt(1, {1.0, 0.0})};
+  for (LoggedPerson& person : people) person.group = 1;
+  const auto after = [&](const std::vector<Vector2>& places) {
+    std::vector<RobotLogTick> ticks;
+    for (const Vector2& place : places) ticks.push_back(tickAt(ticks.size(), {place, 0.0}, people));
+    return scoreOf(header, ticks);
+  };
+  const RobotResult stays = after({{0.0, 0.0}, {0.0, 0.0}});
+  EXPECT_EQ(stays.contacts, 0U);
+  EXPECT_EQ(stays.group_intrusions, 0U);
+  const RobotResult returns = after({{0.0, 0.0}, {0.0, -4.0}, {0.0, 0.0}});
+  EXPECT_EQ(returns.wall_contacts, 1U);
+  EXPECT_EQ(returns.obstacle_contacts, 1U);
+  EXPECT_EQ(returns.group_intrusions, 1U);
+}
+
+TEST(RobotPeopleMetrics, ClearanceOfAFootprintBesideItsOrigin) {
+  // From 2 to 3 m ahead. The wall behind is 1 m from the origin and 3 m from the footprint, that ahead 4.2 m and 1.2 m.
+  RobotLogHeader header = headerTo({9.0, 0.0});
+  header.robots[0].footprint = {0.0, {{2.0, -0.1}, {3.0, -0.1}, {3.0, 0.1}, {2.0, 0.1}}};
+  header.walls = {{{-1.0, -1.0}, {-1.0, 1.0}}, {{4.2, -1.0}, {4.2, 1.0}}};
+  EXPECT_NEAR(scoreOf(header, std::vector<Pose>{Pose(), Pose()}).minimum_obstacle_clearance, 1.2, 1e-12);
+}
+
+TEST(RobotPeopleMetrics, ContactsAreThoseOfTheWaysBetweenTheLines) {
+  // The robot stands at the origin. `velocity` is that at the end of the tick of 1 s.
+  const auto contacts = [](const std::vector<LoggedPerson>& before, const Vector2& place, const Vector2& velocity) {
+    LoggedPerson person = personAt(7, place);
+    person.velocity = velocity;
+    return scoreOf(headerTo({9.0, 0.0}),
+                   std::vector<RobotLogTick>{tickAt(0, Pose(), before), tickAt(1, Pose(), {person})});
+  };
+  // It walks beside the robot, and then towards (2, 1) at 2.2 m/s.
+  EXPECT_EQ(contacts({personAt(7, {2.0, 0.0})}, {2.0, 1.0}, {2.0, 1.0}).contacts, 0U);
+  // It walks through the robot and stops.
+  EXPECT_EQ(contacts({personAt(7, {-2.0, 0.0})}, {2.0, 0.0}, {0.0, 0.0}).person_on_robot_collisions, 1U);
+  // It appears in front of the robot.
+  EXPECT_EQ(contacts({}, {0.9, 0.0}, {1.0, 0.0}).contacts, 0U);
+}
+
 TEST(RobotPeopleMetrics, ContactsByCause) {
   // The robot drives through a person who stands; then a person walks through the robot, which stands.
   const RobotResult drives =

@@ -137,6 +137,30 @@ TEST(RobotWayMetrics, HaveParametersOfProgress) {
   EXPECT_TRUE(scoreOf(headerTo({9.0, 0.0}), poses, {1.0, 4.0, 0.05}).stuck);
 }
 
+TEST(RobotWayMetrics, ProgressAllowsForRounding) {
+  // It comes 0.3 m nearer in 3 s; 1.2 - 0.9 is less than 0.3 by 7e-17.
+  const std::vector<Pose> poses = {{{1.2, 0.0}, 0.0}, {{1.1, 0.0}, 0.0}, {{1.0, 0.0}, 0.0}, {{0.9, 0.0}, 0.0}};
+  const RobotResult result = scoreOf(headerTo({0.0, 0.0}), poses, {0.3, 3.0, 0.05});
+  EXPECT_EQ(result.failures_to_progress, 0U);
+  EXPECT_FALSE(result.stuck);
+  EXPECT_EQ(scoreOf(headerTo({0.0, 0.0}), poses, {0.3001, 3.0, 0.05}).failures_to_progress, 1U);
+}
+
+TEST(RobotWayMetrics, BeginAnewAfterAJump) {
+  // 1 m towards the goal; put to (9, 4), which is 4 m from it; 1 m towards it. No step, no turn and no progress by
+  // that.
+  std::vector<RobotLogTick> ticks = {tickAt(0, {{0.0, 0.0}, 0.0}), tickAt(1, {{1.0, 0.0}, 0.0}),
+                                     tickAt(2, {{9.0, 4.0}, -PI / 2.0}), tickAt(3, {{9.0, 3.0}, -PI / 2.0})};
+  ticks[2].robots[0].jump = true;
+  const RobotResult result = scoreOf(headerTo({9.0, 0.0}), ticks, {0.5, 1.0, 0.05});
+  EXPECT_NEAR(result.path_length, 2.0, 1e-12);
+  EXPECT_EQ(result.cumulative_heading_changes, 0.0);
+  EXPECT_NEAR(result.shortest_path_length, 1.0 + 4.0 - 0.1, 1e-12);
+  EXPECT_NEAR(result.avg_acceleration, (1.0 + 1.0) / 2.0, 1e-12);  // it stands after the jump
+  EXPECT_NEAR(result.max_jerk, 1.0, 1e-12);
+  EXPECT_EQ(result.failures_to_progress, 1U);  // in the tick of the jump it came no nearer
+}
+
 TEST(RobotWayMetrics, OfEachGoalOfATour) {
   RobotLogHeader header = headerTo({2.0, 0.0});
   header.robots[0].goals = {{2.0, 0.0}, {2.0, 3.0}, {9.0, 3.0}};

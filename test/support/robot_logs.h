@@ -23,11 +23,12 @@ inline RobotLogHeader headerTo(const Vector2& goal, double tick_duration = 1.0) 
   return header;
 }
 
-/// A tick with one robot.
+/// A tick with one robot. At the start it stands.
 inline RobotLogTick tickAt(std::uint64_t tick, const Pose& pose, std::vector<LoggedPerson> people = {}) {
   RobotLogTick made;
   made.tick = tick;
-  made.robots.push_back({pose, {}, {}, {}});
+  made.robots.emplace_back().pose = pose;
+  if (tick == 0) made.robots.back().velocity = Vector2::Zero();
   made.people = std::move(people);
   return made;
 }

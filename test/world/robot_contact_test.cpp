@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "social_crowd/errors.h"
 #include "support/error_of.h"
@@ -29,6 +30,22 @@ Scene facing(double gap) {
   AgentStart agent = wanderer({0.55 + gap, 0.0}, 1.0);
   agent.heading = -PI;
   return with({robot({0.0, 0.0})}, scene({agent}));
+}
+
+/// A recorded person of 0.25 m who walks from one place at 0 s to another one at 2 s.
+Obstacle recorded(const Vector2& from, const Vector2& to) {
+  const auto track = std::make_shared<const Track>(std::vector<double>{0.0, 2.0}, std::vector<Vector2>{from, to});
+  return {ObstaclePath::recorded(track), 0.25, 12};
+}
+
+/// The cause of the only contact of the first robot, which begins now and is with the obstacle of this number.
+ContactCause causeWithRecorded(const World& world, std::size_t obstacle = 0) {
+  const std::vector<RobotContact>& contacts = world.robots()[0].contacts;
+  EXPECT_EQ(contacts.size(), 1U);
+  if (contacts.empty()) return ContactCause::MUTUAL;
+  EXPECT_EQ(contacts[0].agent, idOfRecorded(obstacle));
+  EXPECT_TRUE(contacts[0].begins);
+  return contacts[0].cause;
 }
 
 void expectContact(const World& world, ContactCause cause) {
@@ -232,6 +249,69 @@ TEST(RobotContact, AMovingObstacleStopsARobotAndPassesOverIt) {
   world.robots().command(0, {{1.0, 0.0}, 0.0});
   for (int tick = 0; tick < 5; ++tick) world.step({});
   EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.1 * 0.05 / 0.15, NEAR);  // they met 0.05 m closer, at 1.5 m/s
+}
+
+TEST(RobotContact, WithARecordedPersonWhoWalksThroughTheRobot) {
+  // At 1 - t m from 0 to 2 s: the bodies overlap by more than 1 mm from 0.451 s, in tick 5, to 1.549 s, in tick 16.
+  // Between an agent far away and a pillar, so that its number is not that of its disc.
+  Scene made = with({robot({0.0, 0.0})}, scene({wanderer({0.0, 9.0})},
+                                               {scenes::pillar({0.0, -9.0}, 0.5), recorded({1.0, 0.0}, {-1.0, 0.0})}));
+  for (const Contact contact : {Contact::GHOST, Contact::SOLID}) {
+    for (const Drive drive : {Drive::DIFFERENTIAL, Drive::EXTERNAL}) {
+      made.contact = contact;
+      made.robots[0].drive = drive;
+      World world(made);
+      World sequential(made);
+      for (int tick = 1; tick <= 25; ++tick) {
+        SCOPED_TRACE("tick " + std::to_string(tick));
+        world.step({});
+        sequential.moveAgent(0, {});
+        sequential.endTick();
+        for (const World* const one : {&world, &sequential}) {
+          const auto& contacts = one->robots()[0].contacts;
+          ASSERT_EQ(contacts.size(), tick >= 5 && tick <= 16 ? 1U : 0U);
+          if (contacts.empty()) continue;
+          EXPECT_EQ(contacts[0].agent, idOfRecorded(1));
+          EXPECT_EQ(contacts[0].cause, ContactCause::PERSON);
+          EXPECT_EQ(contacts[0].begins, tick == 5);
+        }
+      }
+      EXPECT_EQ(world.robots()[0].pose.position, Vector2(0.0, 0.0));
+    }
+  }
+}
+
+TEST(RobotContact, WithRecordedPeopleHasACause) {
+  for (const Contact contact : {Contact::GHOST, Contact::SOLID}) {
+    // The robot drives 0.1 m; the person stands 0.05 m in front of it, or comes as fast.
+    Scene made = with({robot({0.0, 0.0})}, scene({}, {recorded({0.6, 0.0}, {0.6, 0.0})}));
+    made.contact = contact;
+    const World drives = afterTick(made, true);
+    EXPECT_EQ(causeWithRecorded(drives), ContactCause::ROBOT);
+    EXPECT_NEAR(drives.robots()[0].pose.position.x(), contact == Contact::SOLID ? 0.05 : 0.1, NEAR);
+    made.obstacles = {recorded({0.6, 0.0}, {-1.4, 0.0})};
+    EXPECT_EQ(causeWithRecorded(afterTick(made, true)), ContactCause::MUTUAL);
+    EXPECT_EQ(causeWithRecorded(afterTick(made, false)), ContactCause::PERSON);
+    made.obstacles = {recorded({0.6, 0.0}, {2.6, 0.0})};
+    EXPECT_TRUE(afterTick(made, true).robots()[0].contacts.empty());
+    // It jumps onto the person.
+    made.robots[0].drive = Drive::EXTERNAL;
+    World jumping(made);
+    jumping.robots().place(0, {{0.6, 0.1}, 0.0}, {0.0, 0.0}, true);
+    jumping.step({});
+    EXPECT_EQ(causeWithRecorded(jumping), ContactCause::ROBOT);
+  }
+}
+
+TEST(RobotContact, WithARecordedPersonWhoPassesOverARobotAtAWall) {
+  // The wall stops the robot at (0.05, 0) after half of the tick. Then the person, who comes at 2 m/s, is 0.6 m away;
+  // at the end 0.5 m.
+  World world(solid(
+      with({robot({0.0, 0.0})}, scene({}, {recorded({0.05, 0.7}, {0.05, -3.3})}, {{{0.35, -1.0}, {0.35, 1.0}}}))));
+  world.robots().command(0, {{1.0, 0.0}, 0.0});
+  world.step({});
+  EXPECT_NEAR(world.robots()[0].pose.position.x(), 0.05, NEAR);
+  EXPECT_EQ(causeWithRecorded(world), ContactCause::PERSON);
 }
 
 TEST(RobotContact, RobotsStopEachOther) {

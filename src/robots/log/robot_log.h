@@ -24,10 +24,11 @@ struct RobotLogHeader {
 
 /// @brief A robot at the end of a tick.
 struct LoggedRobot {
-  Pose pose;                                          ///< in `map`
-  std::optional<Vector2> velocity;                    ///< [m/s], `map`; absent: that of the way in the tick
-  std::optional<bool> impact;                         ///< an impact changed its velocity; absent: if a contact began
+  Pose pose;                        ///< in `map`
+  std::optional<Vector2> velocity;  ///< [m/s], `map`; absent: that of the way in the tick, at the start unknown
+  std::optional<bool> impact;       ///< an impact changed its velocity; absent: if a contact began
   std::optional<std::vector<RobotContact>> contacts;  ///< with people in the tick; absent: those of the ways
+  bool jump = false;                                  ///< it did not drive there, but was put there
 };
 
 /// @brief A person at the end of a tick. What is absent is as it was; the first time there are defaults.

@@ -93,11 +93,12 @@ std::vector<RobotContact> readContacts(const YamlMap& map, const std::vector<Rob
 }
 
 LoggedRobot readRobot(const YAML::Node& node, const YamlPlace& place, const std::vector<RobotContact>& before) {
-  const YamlMap map(node, place, {"x", "y", "heading", "vx", "vy", "impact", "contacts"});
+  const YamlMap map(node, place, {"x", "y", "heading", "vx", "vy", "impact", "jump", "contacts"});
   LoggedRobot robot;
   robot.pose = {readPlace(map), map.number("heading", NumberRule::ANY)};
   robot.velocity = readVelocity(map);
   if (map.has("impact")) robot.impact = map.flag("impact", false);
+  robot.jump = map.flag("jump", false);
   if (map.has("contacts")) robot.contacts = readContacts(map, before);
   return robot;
 }

@@ -1,6 +1,7 @@
 #include "robots/log/robot_log_replay.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "robots/metrics/aggregated_time.h"
@@ -37,22 +38,46 @@ void RobotLogReplay::begin(const RobotLogTick& tick) {
   robots_.emplace(scene);
   takePeople(tick);
   observe(tick);
+  for (RobotId id = 0; id < tick.robots.size(); ++id) {
+    const Vector2 unknown = Vector2::Constant(RobotSample::NONE);
+    scene_.robots[id].velocity = tick.robots[id].velocity.value_or(unknown);
+  }
   monitor_.emplace(options_, header_.gates, scene_);
 }
 
 void RobotLogReplay::takePeople(const RobotLogTick& tick) {
   people_.clear();
+  motions_.clear();
   for (const LoggedPerson& logged : tick.people) {
     Known& person = known_[logged.id];
-    place(logged, person.last_seen && *person.last_seen + 1 == tick.tick, person);
+    const Vector2 way = place(logged, person.last_seen && *person.last_seen + 1 == tick.tick, person);
     person.last_seen = tick.tick;
     people_.push_back(person.body);
+    motions_.push_back({logged.id, person.body.radius, logged.position - way, way});
   }
+  requireKnown(tick);
   for (const AgentId id : tick.arrived) known_[id].arrival = tick.tick - first_tick_;
 }
 
-/// @param was_there in the tick before; one who comes back has no velocity
-void RobotLogReplay::place(const LoggedPerson& logged, bool was_there, Known& person) const {
+void RobotLogReplay::requireKnown(const RobotLogTick& tick) const {
+  const auto require = [&](AgentId id, const std::string& path) {
+    if (known_.count(id) > 0) return;
+    throw InputError(path + ": there has been no person " + std::to_string(id) + " in 'people'");
+  };
+  for (std::size_t i = 0; i < tick.arrived.size(); ++i) {
+    require(tick.arrived[i], "arrived[" + std::to_string(i) + "]");
+  }
+  for (std::size_t i = 0; i < tick.robots.size(); ++i) {
+    if (!tick.robots[i].contacts) continue;
+    const std::vector<RobotContact>& contacts = *tick.robots[i].contacts;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      require(contacts[k].agent, "robots[" + std::to_string(i) + "].contacts[" + std::to_string(k) + "].person");
+    }
+  }
+}
+
+/// One who comes back has no velocity.
+Vector2 RobotLogReplay::place(const LoggedPerson& logged, bool was_there, Known& person) const {
   Agent& body = person.body;
   if (body.radius <= 0.0) {
     body.id = logged.id;
@@ -65,11 +90,13 @@ void RobotLogReplay::place(const LoggedPerson& logged, bool was_there, Known& pe
   body.velocity = logged.velocity.value_or(way / header_.tick_duration);
   const double course = body.velocity.isZero(0.0) ? body.pose.heading : bearingOf(body.velocity);
   body.pose = {logged.position, logged.heading.value_or(course)};
+  return way;
 }
 
 void RobotLogReplay::moveRobots(const RobotLogTick& tick) {
   for (RobotId id = 0; id < tick.robots.size(); ++id) {
     const LoggedRobot& logged = tick.robots[id];
+    if (logged.jump) robots_->teleport(id, logged.pose);
     const Vector2 way = logged.pose.position - (*robots_)[id].pose.position;
     try {
       robots_->place(id, logged.pose, logged.velocity.value_or(way / header_.tick_duration), false);
@@ -78,7 +105,7 @@ void RobotLogReplay::moveRobots(const RobotLogTick& tick) {
     }
   }
   robots_->beginMoves(people_);
-  robots_->noteGhostContacts({people_.data(), people_.size()}, header_.tick_duration);
+  robots_->noteGhostContacts(motions_);
   robots_->endMoves();
 }
 

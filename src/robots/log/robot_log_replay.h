@@ -23,7 +23,8 @@ class RobotLogReplay {
   RobotLogReplay& operator=(RobotLogReplay&&) = delete;
   ~RobotLogReplay() = default;
 
-  /// @throws InputError if a robot moves faster than the greatest speed that is permitted
+  /// @throws InputError if a robot moves faster than the greatest speed that is permitted, or somebody arrived or is in
+  /// contact who has not been among the people so far
   void add(const RobotLogTick& tick);
 
   const RobotLogHeader& header() const { return header_; }
@@ -48,7 +49,9 @@ class RobotLogReplay {
   void begin(const RobotLogTick& tick);
   void moveRobots(const RobotLogTick& tick);
   void takePeople(const RobotLogTick& tick);
-  void place(const LoggedPerson& logged, bool was_there, Known& person) const;
+  void requireKnown(const RobotLogTick& tick) const;
+  /// @param was_there in the tick before @return the way in the tick [m]
+  Vector2 place(const LoggedPerson& logged, bool was_there, Known& person) const;
   void observe(const RobotLogTick& tick);
   double timeOfPeople() const;
 
@@ -57,7 +60,8 @@ class RobotLogReplay {
   std::uint64_t tick_ = 0;
   std::uint64_t first_tick_ = 0;
   std::map<AgentId, Known> known_;
-  std::vector<Agent> people_;  // those who are there
+  std::vector<Agent> people_;          // those who are there
+  std::vector<PersonMotion> motions_;  // of these, in the tick
   std::optional<Robots> robots_;
   WallIndex walls_;
   ObservedScene scene_;

@@ -117,6 +117,7 @@ void appendRobot(const LoggedRobot& robot, std::string& text) {
   Members object('{', '}', text);
   appendMotion(robot.pose.position, robot.pose.heading, robot.velocity, object);
   if (robot.impact) object.flag("impact", *robot.impact);
+  if (robot.jump) object.flag("jump", true);
   if (robot.contacts) appendList(*robot.contacts, object.next("contacts"), appendContact);
 }
 

@@ -9,9 +9,6 @@
 
 namespace crowd {
 
-/// @brief The id of a recorded person among people, by the number of the obstacle that it is. No agent has it.
-constexpr AgentId idOfRecorded(std::size_t obstacle) { return ~static_cast<AgentId>(obstacle); }
-
 /// @brief A person near whom a robot is measured.
 struct ObservedPerson {
   AgentId id = 0;
@@ -35,6 +32,8 @@ struct ObservedRobot {
   const std::vector<RobotContact>* contacts = nullptr;  ///< with people, in the last tick
   /// Whether its velocity was changed by an impact, or a jump, in the last tick; absent: Robot knows.
   std::optional<bool> impact = std::nullopt;
+  /// [m/s], `map`; NaN: it is not known; absent: Robot knows.
+  std::optional<Vector2> velocity = std::nullopt;
 };
 
 /// @brief Everything that RobotMonitor measures, at the end of a tick: that of a World, or of a log of poses.

@@ -39,6 +39,7 @@ struct RobotSample {
   bool at_obstacle = false;
   bool at_robot = false;
   bool impact = false;                    ///< an impact or a jump changed its velocity
+  bool jumped = false;                    ///< it was put elsewhere: it has no step and no rotation
   double social_force_on_robot = 0.0;     ///< [m/s^2]
   double social_force_on_agents = 0.0;    ///< [m/s^2]
   double social_work = 0.0;               ///< [m/s^2]

@@ -19,10 +19,18 @@ bool hasNewContact(const ObservedRobot& observed, const RobotSample& before, con
 
 /// Whether an impact or a jump changed the velocity in this tick. Of an EXTERNAL robot only the poses are known.
 bool hadImpact(const ObservedRobot& observed, const RobotSample& before, const RobotSample& now) {
+  if (now.jumped) return true;
   if (observed.impact) return *observed.impact;
   const Robot& robot = *observed.robot;
   const bool is_external = robot.start.drive == Drive::EXTERNAL;
-  return robot.blocked || robot.jumped || (is_external && hasNewContact(observed, before, now));
+  return robot.blocked || (is_external && hasNewContact(observed, before, now));
+}
+
+/// Mean over the people of the forces of walls and obstacles [m/s^2].
+double obstacleForceOnPeople(const ObservedScene& scene) {
+  double sum = 0.0;
+  for (const ObservedPerson& person : scene.people) sum += obstacleForce(Surroundings::clearanceOf(scene, person));
+  return scene.people.empty() ? 0.0 : sum / static_cast<double>(scene.people.size());
 }
 
 double infiniteAsNone(double value) { return std::isinf(value) ? RobotSample::NONE : value; }
@@ -31,25 +39,29 @@ double infiniteAsNone(double value) { return std::isinf(value) ? RobotSample::NO
 
 void RobotSampler::begin(const ObservedScene& scene) {
   groups_.observe(scene);
-  force_on_people_ = 0.0;
-  for (const ObservedPerson& person : scene.people) {
-    force_on_people_ += obstacleForce(Surroundings::clearanceOf(scene, person));
-  }
-  if (!scene.people.empty()) force_on_people_ /= static_cast<double>(scene.people.size());
+  force_on_people_.reset();
 }
 
 RobotSample RobotSampler::measureStart(const ObservedScene& scene, RobotId id) {
   RobotSample sample;
-  measurePlace(scene, id, scene.robots[id].robot->next_goal, sample);
+  measurePlace(scene, id, sample);
+  measureEncounters(scene, id, scene.robots[id].robot->next_goal, sample);
   sample.acceleration = 0.0;
   return sample;
 }
 
 RobotSample RobotSampler::measure(const ObservedScene& scene, RobotId id, const RobotSample& before, std::size_t goal) {
+  RobotSample sample = follow(scene, id, before);
+  measureEncounters(scene, id, goal, sample);
+  return sample;
+}
+
+RobotSample RobotSampler::follow(const ObservedScene& scene, RobotId id, const RobotSample& before) {
   const double duration = scene.tick_duration;
   RobotSample sample;
-  measurePlace(scene, id, goal, sample);
-  sample.rotation = wrapAngle(sample.pose.heading - before.pose.heading) / duration;
+  measurePlace(scene, id, sample);
+  sample.jumped = scene.robots[id].robot->jumped;
+  if (!sample.jumped) sample.rotation = wrapAngle(sample.pose.heading - before.pose.heading) / duration;
   sample.impact = hadImpact(scene.robots[id], before, sample);
   if (sample.impact) return sample;
   sample.velocity_change = (sample.velocity - before.velocity) / duration;
@@ -59,11 +71,17 @@ RobotSample RobotSampler::measure(const ObservedScene& scene, RobotId id, const 
   return sample;
 }
 
-void RobotSampler::measurePlace(const ObservedScene& scene, RobotId id, std::size_t goal, RobotSample& sample) {
+void RobotSampler::measurePlace(const ObservedScene& scene, RobotId id, RobotSample& sample) {
   const Robot& robot = *scene.robots[id].robot;
   sample.pose = robot.pose;
-  sample.velocity = robot.velocity;
-  sample.speed = robot.velocity.norm();
+  sample.velocity = scene.robots[id].velocity.value_or(robot.velocity);
+  sample.speed = sample.velocity.norm();
+  sample.in_group = groups_.isInside(robot, id);
+  measureClearance(scene, robot, sample);
+}
+
+void RobotSampler::measureEncounters(const ObservedScene& scene, RobotId id, std::size_t goal, RobotSample& sample) {
+  const Robot& robot = *scene.robots[id].robot;
   sample.goal = goal;
   if (robot.hasGoal()) {
     const Vector2 way = robot.goals[goal] - robot.pose.position;
@@ -74,8 +92,6 @@ void RobotSampler::measurePlace(const ObservedScene& scene, RobotId id, std::siz
   sample.people_contacts = scene.robots[id].contacts->size();
   measurePeople(scene, robot, sample);
   sample.group_distance = groups_.distanceFrom(robot, id);
-  sample.in_group = groups_.isInside(robot, id);
-  measureClearance(scene, robot, sample);
   measureForces(scene, robot, sample);
 }
 
@@ -94,7 +110,7 @@ void RobotSampler::measurePeople(const ObservedScene& scene, const Robot& robot,
     clearance = std::min(clearance, apart - person.radius);
     farthest = std::max(farthest, apart);
     sample.people_speed += speed;
-    time = std::min(time, timeToCollision(person.position - robot.pose.position, robot.velocity - person.velocity,
+    time = std::min(time, timeToCollision(person.position - robot.pose.position, sample.velocity - person.velocity,
                                           reach + person.radius));
     if (apart >= nearest) continue;
     nearest = apart;
@@ -119,8 +135,8 @@ void RobotSampler::measureClearance(const ObservedScene& scene, const Robot& rob
   });
 }
 
-void RobotSampler::measureForces(const ObservedScene& scene, const Robot& robot, RobotSample& sample) const {
-  const ForceBody body{robot.pose.position, robot.velocity};
+void RobotSampler::measureForces(const ObservedScene& scene, const Robot& robot, RobotSample& sample) {
+  const ForceBody body{robot.pose.position, sample.velocity};
   Vector2 on_robot = Vector2::Zero();
   for (const ObservedPerson& person : scene.people) {
     const ForceBody other{person.position, person.velocity};
@@ -131,7 +147,8 @@ void RobotSampler::measureForces(const ObservedScene& scene, const Robot& robot,
   }
   const double clearance = std::isnan(sample.obstacle_clearance) ? INFINITE : sample.obstacle_clearance;
   sample.obstacle_force_on_robot = obstacleForce(clearance);
-  sample.obstacle_force_on_agents = force_on_people_;
+  if (!force_on_people_) force_on_people_ = obstacleForceOnPeople(scene);
+  sample.obstacle_force_on_agents = *force_on_people_;
   sample.social_work = on_robot.norm() + sample.obstacle_force_on_robot + sample.social_force_on_agents;
 }
 

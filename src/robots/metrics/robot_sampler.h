@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "robots/metrics/group_space.h"
@@ -19,16 +20,19 @@ class RobotSampler {
   RobotSample measure(const ObservedScene& scene, RobotId id, const RobotSample& before, std::size_t goal);
   /// @brief The same at the start, before it moves: it has no acceleration.
   RobotSample measureStart(const ObservedScene& scene, RobotId id);
+  /// @brief Of a robot that is not measured now, what later samples need: its motion, and what it is at.
+  RobotSample follow(const ObservedScene& scene, RobotId id, const RobotSample& before);
 
  private:
-  void measurePlace(const ObservedScene& scene, RobotId id, std::size_t goal, RobotSample& sample);
+  void measurePlace(const ObservedScene& scene, RobotId id, RobotSample& sample);
+  void measureEncounters(const ObservedScene& scene, RobotId id, std::size_t goal, RobotSample& sample);
   static void measurePeople(const ObservedScene& scene, const Robot& robot, RobotSample& sample);
-  void measureForces(const ObservedScene& scene, const Robot& robot, RobotSample& sample) const;
+  void measureForces(const ObservedScene& scene, const Robot& robot, RobotSample& sample);
   void measureClearance(const ObservedScene& scene, const Robot& robot, RobotSample& sample);
 
   GroupSpaces groups_;
   Surroundings surroundings_;
-  double force_on_people_ = 0.0;  // of walls and obstacles, mean over the people [m/s^2]
+  std::optional<double> force_on_people_;  // of walls and obstacles, mean over the people, once asked for [m/s^2]
 };
 
 }  // namespace crowd

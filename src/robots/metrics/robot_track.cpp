@@ -27,27 +27,37 @@ RobotTrack::RobotTrack(const RobotMetricOptions& options, double tick_duration, 
       name_(robot.start.name),
       max_speed_(robot.start.limits.max_speed),
       goal_tolerance_(robot.start.goal_tolerance),
-      start_(robot.pose),
       last_(start),
-      progress_(options, tick_duration) {}
+      goals_set_(robot.goals_set),
+      way_on_({robot.pose, {}}),
+      progress_(options, tick_duration) {
+  noteStates(start);
+}
 
 void RobotTrack::setGoals(const Robot& robot, ShortestWay way) {
-  success_ = false;
+  if (std::exchange(success_, false)) {
+    addStretch({way_on_.begin, {arrival_}}, stretches_);
+    way_on_ = {last_.pose, {}};
+  }
   goals_ = robot.goals;
+  goals_set_ = robot.goals_set;
   next_goal_ = 0;
   way_ = std::move(way);
-  stops_.clear();
+  way_on_.stops.clear();
   legs_.clear();
+  final_distance_ = RobotResult::NONE;
+  last_goal_distance_ = Statistic();
   if (goals_.empty()) return;
-  if (ticks_ > 0) stops_.push_back(last_.pose.position);
-  stops_.insert(stops_.end(), goals_.begin(), goals_.end());
-  legs_.push_back({last_.pose});
+  if (way_on_.begin.position != last_.pose.position) way_on_.stops.push_back(last_.pose.position);
+  way_on_.stops.insert(way_on_.stops.end(), goals_.begin(), goals_.end());
+  legs_.push_back({last_.pose, {}});
   progress_.beginGoal((goals_[next_goal_] - last_.pose.position).norm());
 }
 
 void RobotTrack::add(const ObservedRobot& observed, const RobotSample& sample) {
+  if (sample.jumped) noteJump(sample);
   ++ticks_;
-  const double step = (sample.pose.position - last_.pose.position).norm();
+  const double step = sample.jumped ? 0.0 : (sample.pose.position - last_.pose.position).norm();
   addContacts(*observed.contacts, sample);
   addPeople(sample);
   path_length_ += step;
@@ -55,10 +65,45 @@ void RobotTrack::add(const ObservedRobot& observed, const RobotSample& sample) {
   last_ = sample;
   addProgress(*observed.robot, sample, step);
   success_ = observed.robot->hasArrived();
+  if (success_) arrival_ = sample.pose.position;
+}
+
+void RobotTrack::follow(const RobotSample& sample) {
+  last_ = sample;
+  noteStates(sample);
+}
+
+/// Notes what the robot is at: only what begins later is counted.
+void RobotTrack::noteStates(const RobotSample& sample) {
+  wall_.is_there = sample.at_wall;
+  obstacle_.is_there = sample.at_obstacle;
+  other_robot_.is_there = sample.at_robot;
+  in_group_.is_there = sample.in_group;
+}
+
+/// Adds a stretch unless the robot stayed where it was.
+void RobotTrack::addStretch(Stretch stretch, std::vector<Stretch>& stretches) {
+  const auto is_begin = [&](const Vector2& stop) { return stop == stretch.begin.position; };
+  if (std::all_of(stretch.stops.begin(), stretch.stops.end(), is_begin)) return;
+  stretches.push_back(std::move(stretch));
+}
+
+/// The shortest ways lead up to the place before the jump, and on from that after it.
+void RobotTrack::noteJump(const RobotSample& sample) {
+  const auto left = static_cast<std::ptrdiff_t>(goals_.size() - next_goal_);
+  std::vector<Vector2> stops(way_on_.stops.begin(), way_on_.stops.end() - left);
+  stops.push_back(last_.pose.position);
+  addStretch({way_on_.begin, std::move(stops)}, stretches_);
+  way_on_ = {sample.pose, {goals_.end() - left, goals_.end()}};
+  if (goals_.empty()) return;
+  Leg& leg = legs_.back();
+  addStretch({leg.begin, {last_.pose.position}}, leg.stretches);
+  leg.begin = sample.pose;
+  progress_.beginGoal(sample.goal_distance);
 }
 
 void RobotTrack::addMotion(const RobotSample& sample) {
-  const double turn = std::abs(wrapAngle(sample.pose.heading - last_.pose.heading));
+  const double turn = sample.jumped ? 0.0 : std::abs(wrapAngle(sample.pose.heading - last_.pose.heading));
   rotation_ += turn;
   speed_.add(sample.speed);
   addNumber(sample.acceleration, acceleration_);
@@ -120,7 +165,7 @@ void RobotTrack::addProgress(const Robot& robot, const RobotSample& sample, doub
   leg.is_reached = robot.hasArrived() || robot.next_goal > next_goal_;
   if (robot.next_goal == next_goal_) return;
   next_goal_ = robot.next_goal;
-  legs_.push_back({sample.pose});
+  legs_.push_back({sample.pose, {}});
   progress_.beginGoal((goals_[next_goal_] - sample.pose.position).norm());
 }
 

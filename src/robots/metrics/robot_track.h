@@ -21,9 +21,14 @@ class RobotTrack {
   void setGoals(const Robot& robot, ShortestWay way);
   /// @brief Adds a tick. The goal that the robot drove to in it was nextGoal().
   void add(const ObservedRobot& observed, const RobotSample& sample);
+  /// @brief Notes where the robot is at the end of a tick that does not count: it has arrived, and may get another
+  /// goal.
+  void follow(const RobotSample& sample);
 
   const std::string& name() const { return name_; }
   const std::vector<Vector2>& goals() const { return goals_; }
+  /// @brief Robot::goals_set when it got these.
+  std::uint64_t goalsSet() const { return goals_set_; }
   /// @brief Number of the goal to which it drives.
   std::size_t nextGoal() const { return next_goal_; }
   bool hasArrived() const { return success_; }
@@ -35,10 +40,16 @@ class RobotTrack {
   RobotResult result() const;
 
  private:
+  /// A way that the robot drives without jumps.
+  struct Stretch {
+    Pose begin;
+    std::vector<Vector2> stops;  // [m]
+  };
   /// The way to one goal.
   struct Leg {
-    Pose begin;
-    double path_length = 0.0;  // [m]
+    Pose begin;                      // after the last jump
+    std::vector<Stretch> stretches;  // up to the jumps
+    double path_length = 0.0;        // [m]
     std::uint64_t ticks = 0;
     bool is_reached = false;
   };
@@ -59,6 +70,9 @@ class RobotTrack {
     void add(double distance);
   };
 
+  static void addStretch(Stretch stretch, std::vector<Stretch>& stretches);
+  void noteStates(const RobotSample& sample);
+  void noteJump(const RobotSample& sample);
   void addMotion(const RobotSample& sample);
   void addPeople(const RobotSample& sample);
   void addContacts(const std::vector<RobotContact>& contacts, const RobotSample& sample);
@@ -68,6 +82,7 @@ class RobotTrack {
   void writeContacts(RobotResult& result) const;
   void writeWay(RobotResult& result) const;
   RobotGoalResult resultOf(std::size_t goal) const;
+  ShortestWay::Way shortest(const std::vector<Stretch>& stretches, const Stretch& last) const;
   double seconds(std::uint64_t ticks) const { return static_cast<double>(ticks) * tick_duration_; }
   double shareOf(std::uint64_t ticks) const;
 
@@ -76,13 +91,15 @@ class RobotTrack {
   std::string name_;
   double max_speed_ = 0.0;  // that it may have [m/s]
   double goal_tolerance_ = 0.0;
-  Pose start_;
   RobotSample last_;
   bool success_ = false;
+  Vector2 arrival_ = Vector2::Zero();  // where it last arrived [m]
   std::uint64_t ticks_ = 0;
 
   std::vector<Vector2> goals_;
-  std::vector<Vector2> stops_;  // from the start on: where it got its goals, unless that is the start, and the goals
+  std::uint64_t goals_set_ = 0;
+  std::vector<Stretch> stretches_;  // up to jumps, and to arrivals before it got these goals
+  Stretch way_on_;  // from there on; its stops: where it got its goals, unless that is the begin, and the goals
   std::size_t next_goal_ = 0;
   std::vector<Leg> legs_;  // by goal, up to the present one
   mutable ShortestWay way_;

@@ -46,10 +46,10 @@ double RobotTrack::shareOf(std::uint64_t ticks) const {
 void RobotTrack::writeWay(RobotResult& result) const {
   result.path_length = path_length_;
   if (goals_.empty()) return;
-  const ShortestWay::Way way = way_.via(start_, stops_);
-  const double shortest = way.length - goal_tolerance_;
-  result.shortest_path_length = std::isnan(shortest) ? shortest : std::max(0.0, shortest);
-  result.path_length_ratio = ratioOf(path_length_, shortest);
+  const ShortestWay::Way way = shortest(stretches_, way_on_);
+  const double length = way.length - goal_tolerance_;
+  result.shortest_path_length = std::isnan(length) ? length : std::max(0.0, length);
+  result.path_length_ratio = ratioOf(path_length_, length);
   if (success_ && path_length_ > 0.0) result.path_efficiency = result.shortest_path_length / path_length_;
   result.path_irregularity = std::isnan(way.turn) ? way.turn : std::max(0.0, rotation_ - way.turn);
   if (path_length_ > 0.0) result.avg_angle_to_goal = sum_of_angles_ / path_length_;
@@ -119,6 +119,17 @@ double RobotTrack::meanPeople() const {
   return ticks_ > 0 ? static_cast<double>(people_) / static_cast<double>(ticks_) : RobotResult::NONE;
 }
 
+/// The shortest way on some stretches and a last one.
+ShortestWay::Way RobotTrack::shortest(const std::vector<Stretch>& stretches, const Stretch& last) const {
+  ShortestWay::Way sum = way_.via(last.begin, last.stops);
+  for (const Stretch& stretch : stretches) {
+    const ShortestWay::Way way = way_.via(stretch.begin, stretch.stops);
+    sum.length += way.length;
+    sum.turn += way.turn;
+  }
+  return sum;
+}
+
 RobotGoalResult RobotTrack::resultOf(std::size_t goal) const {
   RobotGoalResult result;
   result.x = goals_[goal].x();
@@ -131,9 +142,9 @@ RobotGoalResult RobotTrack::resultOf(std::size_t goal) const {
   result.success = leg.is_reached;
   if (leg.is_reached) result.time_to_reach_goal = seconds(leg.ticks);
   result.path_length = leg.path_length;
-  const double shortest = way_.via(leg.begin, {goals_[goal]}).length - goal_tolerance_;
-  result.shortest_path_length = std::isnan(shortest) ? shortest : std::max(0.0, shortest);
-  result.path_length_ratio = ratioOf(leg.path_length, shortest);
+  const double length = shortest(leg.stretches, {leg.begin, {goals_[goal]}}).length - goal_tolerance_;
+  result.shortest_path_length = std::isnan(length) ? length : std::max(0.0, length);
+  result.path_length_ratio = ratioOf(leg.path_length, length);
   result.spl = weighted(leg.is_reached, result.shortest_path_length, leg.path_length);
   return result;
 }

@@ -10,7 +10,8 @@
 namespace crowd {
 
 /// @brief Finds the shortest ways of a robot on a floor, round walls and obstacles at rest, with all gates open, for
-/// the smallest disc that contains its footprint. Where there is none, that for the largest disc in the footprint.
+/// the smallest disc about its origin that contains its footprint. Where there is none, that for the largest disc about
+/// the origin in the footprint.
 ///
 /// The mesh is made at the first search, and shared with others for the same floor (navigationData()). Not thread-safe.
 class ShortestWay {

@@ -8,9 +8,10 @@ double Surroundings::wallDistance(const ObservedScene& scene, const Robot& robot
   const Footprint& footprint = robot.start.footprint;
   const double from_middle = scene.walls->nearestDistance(robot.pose.position, INFINITE);
   if (footprint.isDisc() || from_middle == INFINITE) return from_middle - footprint.radius;
-  // A wall that is farther from the middle than this is farther from the footprint than the nearest one.
+  // The wall that is nearest to the origin of the footprint is within from_middle + reach of the footprint, so one that
+  // is farther from the origin than this is farther from the footprint. The origin may be outside the footprint.
   near_walls_.clear();
-  scene.walls->findNear(robot.pose.position, from_middle + footprint.reach(), near_walls_);
+  scene.walls->findNear(robot.pose.position, from_middle + 2.0 * footprint.reach(), near_walls_);
   double nearest = INFINITE;
   for (const std::uint32_t number : near_walls_) {
     nearest = std::min(nearest, distance(footprint, robot.pose, scene.walls->walls()[number]));

@@ -57,6 +57,7 @@ RobotLogTick RobotLogRecord::tickOf(const Episode& episode) {
     logged.pose = robot.pose;
     logged.velocity = robot.velocity;
     logged.contacts = robot.contacts;
+    logged.jump = robot.jumped;
     const RobotSample* const sample = episode.robotMonitor().sampleOf(id);
     if (sample != nullptr) logged.impact = sample->impact;
   }
