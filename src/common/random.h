@@ -29,7 +29,8 @@ class KeyedRandom {
     ALARMS = 13,
     KIND = 14,
     DISTRACTION = 15,
-    REACTIONS = 16
+    REACTIONS = 16,
+    TRACKS = 17
   };
 
   KeyedRandom(std::uint64_t seed, Stream stream, std::initializer_list<std::uint64_t> key)

@@ -21,6 +21,7 @@ constexpr NumberLimit OFFSET{NumberRule::ANY, 1e3, "m"};
 
 /// Bodies that move farther in a tick meet more others in it.
 constexpr NumberLimit SPEED{NumberRule::POSITIVE, 1e3, "m/s"};
+constexpr NumberLimit SPEED_OR_0{NumberRule::NOT_NEGATIVE, 1e3, "m/s"};
 constexpr NumberLimit VELOCITY{NumberRule::ANY, 1e3, "m/s"};  ///< components
 constexpr NumberLimit PACE{NumberRule::POSITIVE, 10.0, ""};   ///< factors of speeds; `SPEED` limits the product, too
 constexpr NumberLimit ROTATION{NumberRule::POSITIVE, 1e3, "rad/s"};
@@ -44,6 +45,10 @@ constexpr std::int64_t RAYS = 100'000;  ///< of a laser scanner
 constexpr std::int64_t RINGS = 256;     ///< of a laser scanner
 /// Relative errors, and errors in radians per metre, of a robot's odometry.
 constexpr NumberLimit ODOMETRY_ERROR{NumberRule::NOT_NEGATIVE, 10.0, ""};
+/// False detections of a tracker per second: with TICK, 100,000 in a tick.
+constexpr NumberLimit FALSE_DETECTIONS{NumberRule::NOT_NEGATIVE, 1e3, "per second"};
+/// Time for which a tracker keeps a track: that of the longest episode.
+constexpr NumberLimit KEEP{NumberRule::NOT_NEGATIVE, DURATION, "s"};
 
 /// Positions of the recorded people of a scenario: some 100 MB.
 constexpr std::size_t SAMPLES = 10'000'000;

@@ -1,5 +1,7 @@
 #include "robots/robot_senses.h"
 
+#include <algorithm>
+
 namespace crowd {
 namespace {
 
@@ -10,6 +12,12 @@ Pose sensorPose(const Pose& robot, const Pose& mount) {
   return {robot.position + Rotation(robot.heading).outOfFrame(mount.position), robot.heading + mount.heading};
 }
 
+TrackSpec trackSpecOf(const RobotStart& start, bool hides_people) {
+  TrackSpec spec = start.tracks;
+  spec.occlusion = spec.occlusion || hides_people;
+  return spec;
+}
+
 /// The variances of the three errors of an odometry, as a diagonal matrix.
 Eigen::Matrix3d variancesOf(const OdometrySpec& spec) {
   return Eigen::Vector3d(spec.distance, spec.rotation, spec.heading_per_metre).cwiseAbs2().asDiagonal();
@@ -17,13 +25,18 @@ Eigen::Matrix3d variancesOf(const OdometrySpec& spec) {
 
 }  // namespace
 
-RobotSenses::RobotSenses(const Scene& scene) : seed_(scene.population_seed) {
+RobotSenses::RobotSenses(const Scene& scene, bool hides_people)
+    : seed_(scene.population_seed), hides_people_(hides_people), map_(scene.map) {
   for (const RobotStart& start : scene.robots) add(start);
 }
 
 void RobotSenses::add(const RobotStart& start) {
   has_legs_ = has_legs_ || start.scan.people == SeenPeople::LEGS;
-  Sensor& sensor = sensors_.emplace_back(start, next_number_++);
+  const std::uint64_t number = next_number_++;
+  Sensor& sensor = sensors_.emplace_back(
+      start, number,
+      PersonTracker(trackSpecOf(start, hides_people_), KeyedRandom(seed_, KeyedRandom::TRACKS, {number}),
+                    std::min(start.tracks.range, start.scan.max_range)));
   KeyedRandom random(seed_, KeyedRandom::ODOMETRY, {sensor.number});
   sensor.distance_factor += start.odometry.distance * random.normal();
   sensor.rotation_factor += start.odometry.rotation * random.normal();
@@ -64,6 +77,20 @@ const std::vector<bool>& RobotSenses::visibleBodies(const World& world, RobotId 
   sensor.seen.assign(world.agents().size() + world.obstacles().size(), false);
   markVisible(sensor.scanner.last(), sensor.seen);
   return sensor.seen;
+}
+
+const std::vector<PersonTrack>& RobotSenses::tracks(const World& world, RobotId robot) {
+  Sensor& sensor = sensors_[robot];
+  if (sensor.tracked_at == world.tick()) return sensor.tracks;
+  sensor.tracked_at = world.tick();
+  TrackerView view;
+  view.sensor = sensorPose(world.robots()[robot].pose, sensor.scanner.spec().mount).position;
+  if (sensor.tracker.spec().occlusion) {
+    view.visible = &visibleBodies(world, robot);
+    view.scanner = &sensor.scanner;
+  }
+  sensor.tracks = sensor.tracker.update(world, view, map_.get());
+  return sensor.tracks;
 }
 
 void RobotSenses::forgetScans() {

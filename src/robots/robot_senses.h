@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "robots/legs.h"
+#include "robots/person_tracker.h"
 #include "robots/ring_scan.h"
 #include "robots/scanner.h"
 #include "scenario/scene.h"
@@ -27,7 +30,8 @@ struct OdometryCovariance {
 /// @brief Sensors of all robots of an episode; the same with and without ROS, bit for bit. Not thread-safe.
 class RobotSenses {
  public:
-  explicit RobotSenses(const Scene& scene);
+  /// @param hides_people all trackers report only people whom a scanner sees, as with `occlusion`
+  explicit RobotSenses(const Scene& scene, bool hides_people = false);
   /// @brief Adds the sensors of a robot, as the last one.
   void add(const RobotStart& start);
   /// @brief Removes those of a robot. The errors of the others stay as they are.
@@ -44,6 +48,9 @@ class RobotSenses {
   /// @brief For each of World::agents(), then of World::obstacles(), whether at least one ray of the scan of ranges()
   /// meets it first, at any range up to the greatest one; noise and dropouts have no effect.
   const std::vector<bool>& visibleBodies(const World& world, RobotId robot);
+  /// @brief What the tracker of people of a robot reports now, see PersonTracker. Computed at the first call in a tick;
+  /// valid until the next tick. With TrackSpec::keep it is called in each tick.
+  const std::vector<PersonTrack>& tracks(const World& world, RobotId robot);
   /// @brief The world has changed since the last tick: scans are computed anew, with the same noise.
   void forgetScans();
 
@@ -54,9 +61,10 @@ class RobotSenses {
 
  private:
   struct Sensor {
-    Sensor(const RobotStart& start, std::uint64_t its_number)
+    Sensor(const RobotStart& start, std::uint64_t its_number, PersonTracker its_tracker)
         : number(its_number),
           scanner(start.scan),
+          tracker(std::move(its_tracker)),
           last_pose{start.position, start.heading},
           deviations(start.odometry) {}
 
@@ -65,6 +73,9 @@ class RobotSenses {
     std::optional<std::uint64_t> scanned_at;  // tick
     std::vector<float> ranges;
     std::vector<bool> seen;  // by position of the agent; scratch
+    PersonTracker tracker;
+    std::optional<std::uint64_t> tracked_at;  // tick
+    std::vector<PersonTrack> tracks;
     Odometry odometry;
     Pose last_pose;  // in `map`
     double distance_factor = 1.0;
@@ -84,6 +95,8 @@ class RobotSenses {
   void addRobots(const World& world, RobotId robot);
 
   std::uint64_t seed_;
+  bool hides_people_;
+  std::shared_ptr<const OccupancyMap> map_;  // null: none
   bool has_legs_ = false;
   Gait gait_;
   std::vector<Sensor> sensors_;  // by robot

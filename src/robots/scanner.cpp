@@ -34,6 +34,15 @@ const Scan& Scanner::scan(const Pose& sensor, const Span<ScanTarget>& targets, c
   return scan_;
 }
 
+bool Scanner::reaches(const Vector2& point) const {
+  const Vector2 offset = point - rays_.front().origin;
+  const double distance = offset.norm();
+  const double bearing = positiveAngle(bearingOf(offset) - first_bearing_);
+  const bool is_before_first = 2.0 * PI - bearing < 0.5 * increment_;
+  const std::size_t ray = is_before_first ? 0 : static_cast<std::size_t>(std::round(bearing / increment_));
+  return ray < rays_.size() && distance <= spec_.max_range && distance < scan_.distances[ray];
+}
+
 template <typename Test>
 void Scanner::forEachBetween(double low, double high, const Test& test) const {
   // The interval may lie one turn before or after the rays. Its ends are widened by one ray against rounding.

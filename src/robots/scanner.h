@@ -38,6 +38,9 @@ class Scanner {
   const Scan& scan(const Pose& sensor, const Span<ScanTarget>& targets, const Span<ScanEdge>& edges,
                    const WallIndex& walls);
 
+  /// @brief Whether the ray of the last scan that is nearest to the direction of a point reaches it. @param point `map`
+  bool reaches(const Vector2& point) const;
+
  private:
   /// Calls test(ray number) for all rays whose bearing is from `low` to `high` [rad] from that of the first ray, and
   /// some beside them.

@@ -51,6 +51,7 @@ struct RobotStart {
   double goal_tolerance = 0.0;       ///< a goal is reached within this distance of its position [m]
   ScanSpec scan;
   OdometrySpec odometry;
+  TrackSpec tracks;
   bool reads_tf = false;  ///< EXTERNAL: its pose comes from tf, else from `odom`
 };
 

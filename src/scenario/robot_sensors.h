@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "common/text/enum_names.h"
 #include "geometry/geometry.h"
@@ -27,6 +28,19 @@ struct ScanSpec {
   double lowest_ring = -PI / 12.0;  ///< elevation of the lowest ring [rad]
   double highest_ring = PI / 12.0;  ///< elevation of the highest ring [rad]
   double height = 0.0;              ///< of the sensor above the floor [m]
+};
+
+/// @brief What a tracker of people on a robot reports. The defaults are the truth.
+struct TrackSpec {
+  bool occlusion = false;         ///< only people whom a ray of its scanner meets
+  double range = INFINITE;        ///< of people from the scanner [m]
+  double noise = 0.0;             ///< standard deviation of positions, in x and in y [m]
+  double velocity_noise = 0.0;    ///< standard deviation of velocities, in x and in y [m/s]
+  double missed = 0.0;            ///< probability that a person is not detected in a tick
+  double false_detections = 0.0;  ///< mean number in a second of detections of nobody
+  /// A track is predicted for this time without a detection [s]; a person who is detected later gets another one. Not
+  /// set: nothing is predicted, and everybody keeps the number of the agent.
+  std::optional<double> keep;
 };
 
 /// @brief Standard deviations of the systematic errors of a robot's odometry, which are drawn once in an episode.

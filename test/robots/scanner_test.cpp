@@ -51,6 +51,26 @@ TEST(Scanner, SeesBehindTheEndsOfAFullCircle) {
   EXPECT_EQ(scan.hits[359 - 13], 3U);
 }
 
+TEST(Scanner, ReachesPointsBeforeWhatItHits) {
+  ScanSpec spec = oneRayPerDegree();
+  spec.max_range = 5.0;
+  const std::vector<Segment> wall = {{{1.0, -1.0}, {1.0, 1.0}}};  // its ends are at 45 degrees
+  for (const double last : {PI, PI / 2.0}) {
+    spec.first_angle = -last;
+    spec.last_angle = last;
+    Scanner scanner(spec);
+    scanner.scan(Pose(), {nullptr, 0}, {nullptr, 0}, WallIndex(wall));
+    EXPECT_TRUE(scanner.reaches({0.9, 0.0}));
+    EXPECT_FALSE(scanner.reaches({1.1, 0.0}));
+    EXPECT_FALSE(scanner.reaches({3.0, 2.9}));
+    EXPECT_TRUE(scanner.reaches({2.9, 3.1}));
+    EXPECT_TRUE(scanner.reaches({0.0, -4.9}));
+    EXPECT_FALSE(scanner.reaches({0.0, -5.1}));
+    EXPECT_EQ(scanner.reaches({-2.0, 0.001}), last == PI);
+    EXPECT_EQ(scanner.reaches({-2.0, -0.001}), last == PI);
+  }
+}
+
 TEST(Scanner, LooksAlongItsHeadingFromItsPlace) {
   const Scan scan = scanOf(oneRayPerDegree(), {{5.0, 1.0}, PI / 2.0}, {{{5.0, 4.0}, 0.5, 0}});
   EXPECT_NEAR(scan.distances[180], 2.5, 1e-12);

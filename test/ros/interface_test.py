@@ -163,7 +163,8 @@ class GraphTest(support.CrowdTestCase):
         about = {name: kind for name, kind in documented.typed(page, 'topic').items() if not name.startswith('/')}
         inputs = {name for cells in documented.rows(page, 'topic') if '(subscribed)' in cells[0]
                   for name in documented.names_in(cells[0])}
-        optional = {'people'}  # only where people_msgs is installed
+        # Only where people_msgs or spencer_tracking_msgs is installed.
+        optional = {'people', 'people_tracker_measurements', 'tracked_persons'}
         found = {}
         for topics in (published, subscribed):
             for name in [name for name in topics if name.startswith('robot/')]:

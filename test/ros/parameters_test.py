@@ -48,7 +48,8 @@ class ControllerParametersTest(RefusalTestCase):
 
     def test_out_of_range(self):
         bad = {'seed': -1, 'episodes': -1, 'real_time_factor': -1.0, 'start_deadline': -1.0, 'answer_deadline': 0.0,
-               'misses_until_absent': 0, 'agents_rate': -0.5}
+               'misses_until_absent': 0, 'agents_rate': -0.5, 'progress_distance': 0.0, 'progress_time': 0.0,
+               'stalled_speed': -0.1}
         message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, **bad), *bad)
         self.assert_says(message, 'got -0.5', 'from 0 to')
 

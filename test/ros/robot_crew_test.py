@@ -104,13 +104,14 @@ class RobotCrewTest(RobotLaunchTestCase):
 
     def test_all_parameters_can_be_reached(self):
         launched = self.begin('none', localisation='none', visible_people_only='true', command_period=0.2,
-                              command_deadline=0.3, real_time_factor=5)
+                              command_deadline=0.3, real_time_factor=5, progress_time=3)
         name = f'{self.namespace}/crowd_controller/'
         support.wait_for(lambda: self.robots(), 'robots')
         self.assertEqual({key: rospy.get_param(name + key) for key in ('publish_localisation', 'visible_people_only',
-                                                                       'command_period', 'command_deadline')},
+                                                                       'command_period', 'command_deadline',
+                                                                       'progress_time')},
                          {'publish_localisation': False, 'visible_people_only': True, 'command_period': 0.2,
-                          'command_deadline': 0.3})
+                          'command_deadline': 0.3, 'progress_time': 3.0})
         self.assertEqual(self.robots()[0].navigation, 'none')
         state = rospy.Publisher(f'{self.namespace}/tug/navigation', String, queue_size=1, latch=True)
         self.addCleanup(state.unregister)

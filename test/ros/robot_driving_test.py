@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """A robot follows cmd_vel; its odometry, frames, scan and goal are published."""
+import importlib
 import math
 
 import rospy
@@ -126,13 +127,13 @@ class TopicsTest(RobotTestCase):
         for numbers in (pose, twist):
             self.assertEqual([numbers[7 * i] for i in range(1, 6)], [1e-6, 1e6, 1e6, 1e6, 1e-6])
 
-    def people_seen(self, **parameters):
+    def people_seen(self, tracks='', **parameters):
         """Starts the nodes with a person near the robot, one behind the wall and one out of range. Returns where the
-        people of people_poses are."""
+        people of people_poses are; `tracks` is that key of the robot, after a comma."""
         people = '''  - {position: [3, 1], goal: [3, 30], speed: 0.01, radius: 0.25}
   - {position: [9, 0], goal: [9, 30], speed: 0.01, radius: 0.25}
 walls:'''
-        text = scenario(more=', scan: {range: [0.1, 15]}').replace('walls:', people)
+        text = scenario(more=', scan: {range: [0.1, 15]}' + tracks).replace('walls:', people)
         self.start_all(text, **parameters)
         poses = self.listen('people_poses', PoseArray).wait_connected()
         self.step()
@@ -143,6 +144,27 @@ walls:'''
 
     def test_people_are_those_that_the_scanner_sees_if_wanted(self):
         self.assertEqual(self.people_seen(visible_people_only=True), {(3, 1)})
+
+    def test_people_are_tracks(self):
+        self.assertEqual(self.people_seen(', tracks: {occlusion: true}'), {(3, 1)})
+
+    def test_tracks_do_not_depend_on_subscribers(self):
+        """They have a memory, and are the same for one who subscribes in the middle of an episode."""
+        keys = ', tracks: {noise: 0.1, missed: 0.5, keep: 0.2, false_detections: 5, range: 30}'
+        self.start_all(scenario(more=keys), seed=3)
+        late = self.tracks_of(10, before=10)
+        self.assertEqual(self.tracks_of(20)[10:], late)
+        self.assertEqual(len({tuple(tick) for tick in late}), 10)  # errors differ from tick to tick
+
+    def tracks_of(self, ticks, before=0):
+        """Returns the poses of the tracks in the ticks of a new episode after some without a subscriber."""
+        self.succeed('crowd_controller/reset', seed=3)
+        if before:
+            self.walk(before)
+        poses = self.listen('people_poses', PoseArray).wait_connected()
+        self.walk(ticks)
+        support.wait_for(lambda: len(poses.messages) >= ticks, f'{ticks} messages')
+        return [[(pose.position.x, pose.position.y) for pose in message.poses] for message in poses.messages[-ticks:]]
 
     def test_people_messages(self):
         try:
@@ -158,6 +180,42 @@ walls:'''
         self.assertEqual((person.name, person.reliability), ('0', 1.0))
         self.assertAlmostEqual(person.position.y, 20.0, delta=0.1)
         self.assertAlmostEqual(math.hypot(person.velocity.x, person.velocity.y), 0.5, delta=0.01)
+
+    def test_messages_of_leg_detector(self):
+        measured = self.messages_of('people_msgs', 'PositionMeasurementArray', 'people_tracker_measurements')
+        message = measured.wait(lambda message: message.people and message.people[0].reliability == 1.0)
+        person = message.people[0]
+        self.assertEqual((person.object_id, person.header.frame_id, person.initialization), ('0', 'map', 0))
+        self.assertEqual([round(number, 6) for number in person.covariance],
+                         [0.01, 0.0, 0.0, 0.0, 0.01, 0.0, 0.0, 0.0, 1e4])
+        self.assertAlmostEqual(person.pos.y, 20.0, delta=0.6)
+        predicted = measured.wait(lambda message: message.people and message.people[0].reliability < 1.0).people[0]
+        self.assertGreater(predicted.covariance[0], 0.01)
+
+    def test_messages_of_spencer(self):
+        tracked = self.messages_of('spencer_tracking_msgs', 'TrackedPersons', 'tracked_persons')
+        person = tracked.wait(lambda message: message.tracks and message.tracks[0].is_matched).tracks[0]
+        self.assertEqual((person.track_id, person.is_occluded), (0, False))
+        self.assertAlmostEqual(person.pose.covariance[7], 0.01, places=9)
+        self.assertEqual((person.pose.covariance[35], person.twist.covariance[14]), (1e6, 1e6))
+        self.assertAlmostEqual(person.twist.covariance[0], 0.04, places=9)
+        predicted = tracked.wait(lambda message: message.tracks and message.tracks[0].is_occluded).tracks[0]
+        self.assertFalse(predicted.is_matched)
+        self.assertGreater(predicted.pose.covariance[7], 0.01)
+        self.assertGreater(predicted.age.to_sec(), 0.0)
+
+    def messages_of(self, package, kind, topic):
+        """Returns a listener to tracks of a person who is missed in half of the ticks. Skips the test without them."""
+        try:
+            message_type = getattr(importlib.import_module(f'{package}.msg'), kind)
+        except ImportError:
+            self.skip(f'{package} is not installed')
+        self.start_all(scenario(more=', tracks: {noise: 0.1, velocity_noise: 0.2, missed: 0.5, keep: 50}'))
+        if [f'{self.namespace}/{topic}', f'{package}/{kind}'] not in rospy.get_published_topics(self.namespace):
+            self.skip(f'the package was built without {package}')
+        listener = self.listen(topic, message_type).wait_connected()
+        self.walk(20)
+        return listener
 
     def test_people_and_goal(self):
         self.start_all(scenario(more=', goal: [4, 0]'))

@@ -23,6 +23,7 @@ robots:
      footprint: [[-0.4, -0.3], [0.4, -0.3], [0.4, 0.3], [-0.4, 0.3]]}
 """
 SPEEDS = {'tug': 1.0, 'cart': 0.5}
+METRICS = {'progress_distance': 0.6, 'progress_time': 1.0, 'stalled_speed': 0.1}  # the second one does 0.5 m in 1 s
 SEED = 1  # the first robot and a person touch
 # `evaluate --people-delay` compares two runs.
 WITHOUT_ROS = {'people_compared', 'people_delay', 'people_detour'}
@@ -41,17 +42,19 @@ class RobotResultsTest(RobotTestCase):
     def headless_rows(self, file):
         """Returns the rows of `evaluate --robots-csv` by robot."""
         table = self.path('robots.csv')
+        options = [word for name, value in METRICS.items() for word in (f'--{name.replace("_", "-")}', value)]
         self.tool('evaluate', '--q-table', support.ANTICIPATION_TABLE, '--robot', 'straight', '--robots-csv', table,
-                  '--episodes', 1, '--seed', SEED, file)
+                  '--episodes', 1, '--seed', SEED, *options, file)
         return {row['robot']: row for row in csv.DictReader(io.StringIO(support.read_text(table)))}
 
     def test_the_same_metrics_as_without_ros(self):
         expected = self.headless_rows(self.write('crossing.yaml', CROSSING))
         self.assertEqual((expected['tug']['success'], expected['cart']['timeout']), ('1', '1'))
         self.assertGreater(int(expected['tug']['people_contacts']), 0)
+        self.assertGreater(int(expected['cart']['failures_to_progress']), 0)
         results = self.listen('episode_results', EpisodeResult)
         self.start_learner(q_table=support.ANTICIPATION_TABLE)
-        self.start_all(CROSSING, learner=False, seed=SEED)
+        self.start_all(CROSSING, learner=False, seed=SEED, **METRICS)
         results.wait_connected()
         response = self.step_robots(ticks=0)
         while not response.done:

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 #include "scenario/writing/scene_document.h"
@@ -48,6 +49,13 @@ TEST(RobotReader, HasDefaults) {
   EXPECT_EQ(robot.scan.height, 0.0);
   EXPECT_EQ(robot.scan.first_angle, -PI);
   EXPECT_EQ(robot.scan.max_range, 20.0);
+  EXPECT_FALSE(robot.tracks.occlusion);
+  EXPECT_EQ(robot.tracks.range, INFINITE);
+  EXPECT_EQ(robot.tracks.noise, 0.0);
+  EXPECT_EQ(robot.tracks.velocity_noise, 0.0);
+  EXPECT_EQ(robot.tracks.missed, 0.0);
+  EXPECT_EQ(robot.tracks.false_detections, 0.0);
+  EXPECT_EQ(robot.tracks.keep, std::nullopt);
   EXPECT_EQ(scene.ends, Ends::ALL);
 }
 
@@ -95,6 +103,37 @@ TEST(RobotReader, ReadsAllKeys) {
   EXPECT_EQ(scene.robots[1].drive, Drive::EXTERNAL);
   EXPECT_TRUE(scene.robots[1].reads_tf);
   EXPECT_EQ(scene.ends, Ends::ROBOTS);
+}
+
+TEST(RobotReader, ReadsTracks) {
+  const std::string keys =
+      ", tracks: {occlusion: true, range: 8, noise: 0.05, velocity_noise: 0.1, missed: 0.2, false_detections: 0.3, "
+      "keep: 0}";
+  const Scene scene = sceneWith(LEAST + keys);
+  const Scene again = parseScenarios(toDocument(scene, "."), "again").scene(5, 0);
+  for (const TrackSpec& tracks : {scene.robots.at(0).tracks, again.robots.at(0).tracks}) {
+    EXPECT_TRUE(tracks.occlusion);
+    EXPECT_EQ(tracks.range, 8.0);
+    EXPECT_EQ(tracks.noise, 0.05);
+    EXPECT_EQ(tracks.velocity_noise, 0.1);
+    EXPECT_EQ(tracks.missed, 0.2);
+    EXPECT_EQ(tracks.false_detections, 0.3);
+    EXPECT_EQ(tracks.keep, 0.0);
+  }
+}
+
+TEST(RobotReader, RefusesWrongTracks) {
+  const auto problem = [](const std::string& entry) { return robotError(LEAST + (", tracks: " + entry)); };
+  const std::string start = "s.yaml: document 1, line 6: robots[0].tracks";
+  EXPECT_EQ(problem("{occlusion: 1}"), start + ".occlusion: expected true or false, got '1'");
+  EXPECT_EQ(problem("{range: 0}"), start + ".range: expected a number above 0, got '0'");
+  EXPECT_EQ(problem("{noise: -0.1}"), start + ".noise: expected a number of 0 or more, got '-0.1'");
+  EXPECT_EQ(problem("{velocity_noise: 1001}"), start + ".velocity_noise: expected at most 1000 m/s, got '1001'");
+  EXPECT_EQ(problem("{missed: 1.1}"), start + ".missed: expected a number from 0 to 1, got '1.1'");
+  EXPECT_EQ(problem("{false_detections: 1001}"),
+            start + ".false_detections: expected at most 1000 per second, got '1001'");
+  EXPECT_EQ(problem("{keep: .inf}"), start + ".keep: expected a number of 0 or more, got '.inf'");
+  EXPECT_NE(problem("{ghosts: 1}").find(start + ": unknown key 'ghosts'"), std::string::npos);
 }
 
 TEST(RobotReader, ARobotNeedsNoPeopleAndFacesItsGoal) {

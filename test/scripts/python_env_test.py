@@ -348,3 +348,9 @@ class ErrorTest:
         many.reset(seed=1)
         with pytest.raises(social_crowd.InputError, match=r'reward: expected an array of 3 numbers, got shape \(\)'):
             many.step(numpy.zeros((3, 2)))
+        for returned, said in ((None, 'None'), (float('nan'), 'nan'), ('x', "'x'")):
+            env, _ = beside(reward=lambda before, after, returned=returned: returned)
+            with pytest.raises(social_crowd.InputError, match=f'reward: expected a number, got {said}'):
+                env.step((0.0, 0.0))
+        with pytest.raises(social_crowd.InputError, match='reward: expected a function, got 5'):
+            social_crowd.Env(SHORT, reward=5)

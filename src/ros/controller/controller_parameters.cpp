@@ -58,6 +58,12 @@ void readRobots(Parameters& parameters, ControllerParameters& read) {
   read.publish_localisation = parameters.flag("publish_localisation", read.publish_localisation);
   read.odometry_rate = parameters.number("odometry_rate", read.odometry_rate, ControllerParameters::ODOMETRY_RATE);
   read.visible_people_only = parameters.flag("visible_people_only", read.visible_people_only);
+  using Metrics = RobotMetricOptions;
+  Metrics& metrics = read.robot_metrics;
+  metrics.progress_distance =
+      parameters.number("progress_distance", metrics.progress_distance, Metrics::PROGRESS_DISTANCE);
+  metrics.progress_time = parameters.number("progress_time", metrics.progress_time, Metrics::PROGRESS_TIME);
+  metrics.stalled_speed = parameters.number("stalled_speed", metrics.stalled_speed, Metrics::STALLED_SPEED);
   if (read.robot_lockstep && !read.publish_clock) {
     parameters.complain("robot_lockstep", "needs ~publish_clock: true");
   }

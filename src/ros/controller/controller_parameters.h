@@ -8,6 +8,7 @@
 #include "ros/node/diagnostic_period.h"
 #include "ros/node/live_parameters.h"
 #include "ros/node/parameters.h"
+#include "scenario/robot_metric_options.h"
 
 namespace crowd {
 
@@ -42,7 +43,8 @@ struct ControllerParameters {
   double command_period = 0.0;       ///< ~command_period: simulated time between two of them [s]; 0: every tick
   bool publish_localisation = true;  ///< ~publish_localisation: map -> odom of the robots
   double odometry_rate = 0.0;        ///< ~odometry_rate: of odom and tf of robots, simulated time [Hz]; 0: every tick
-  bool visible_people_only = false;  ///< ~visible_people_only: people_poses and people of those that a scanner sees
+  bool visible_people_only = false;  ///< ~visible_people_only: robots track people whom their scanners see, no others
+  RobotMetricOptions robot_metrics;  ///< ~progress_distance [m], ~progress_time [s], ~stalled_speed [m/s]
   std::string trajectories;          ///< ~trajectories: folder of recordings; empty: none
   double diagnostic_period = DIAGNOSTIC_PERIOD;  ///< ~diagnostic_period [s]
   bool ends_launch = false;                      ///< ~ends_launch: end the parent roslaunch after the last episode

@@ -118,6 +118,7 @@ void CrowdController::restart(std::optional<TrajectoryFile> recording) {
 Scene CrowdController::nextScene() const {
   Scene scene = scenarios_.scene(seed_, instance_, stop_);
   keepHeadings(headings_, scene);
+  scene.robot_metrics = parameters_.robot_metrics;
   if (map_ != nullptr) {
     scene.map = map_;
     scene.walls.resize(scene.own_walls);

@@ -37,8 +37,11 @@ constexpr const char* NEW_GOAL = "new_goal";      ///< geometry_msgs/PoseStamped
 constexpr const char* NEW_POSE = "new_pose";  ///< geometry_msgs/PoseWithCovarianceStamped: any node -> crowd_controller
 constexpr const char* PEOPLE_POSES = "people_poses";  ///< geometry_msgs/PoseArray
 constexpr const char* PEOPLE = "people";              ///< people_msgs/People, where people_msgs is installed
-constexpr const char* NAVIGATION = "navigation";      ///< std_msgs/String, latched: robot_crew -> crowd_controller
-constexpr const char* FOOTPRINT = "footprint";        ///< geometry_msgs/PolygonStamped
+constexpr const char* PEOPLE_MEASUREMENTS =
+    "people_tracker_measurements";                          ///< people_msgs/PositionMeasurementArray, the same
+constexpr const char* TRACKED_PERSONS = "tracked_persons";  ///< spencer_tracking_msgs/TrackedPersons, where installed
+constexpr const char* NAVIGATION = "navigation";  ///< std_msgs/String, latched: robot_crew -> crowd_controller
+constexpr const char* FOOTPRINT = "footprint";    ///< geometry_msgs/PolygonStamped
 
 /// @brief Returns the topic with the perceptions of one learner's agents: Perceptions, crowd_controller -> learner.
 /// @param perceptions full name of PERCEPTIONS @param learner full name of the node

@@ -44,7 +44,7 @@ RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, cons
 
 void RobotInterface::begin(Episode& episode) {
   episode_ = &episode;
-  senses_ = std::make_unique<RobotSenses>(episode.scene());
+  senses_ = std::make_unique<RobotSenses>(episode.scene(), visible_people_only_);
   contacts_.clear();
   scanned_changes_ = episode.changes();
   commands_.begin(episode);
@@ -75,7 +75,7 @@ std::unique_ptr<RobotTopics> RobotInterface::topicsOf(const RobotStart& start, R
   handlers.goal = [this, present](const auto& goal) { takeGoal(present(), goal); };
   handlers.pose = [this, present](const auto& pose) { takePose(present(), pose); };
   handlers.navigation = [this, present](const auto& state) { noteNavigation(present(), state); };
-  return std::make_unique<RobotTopics>(node_, start, id, visible_people_only_, std::move(handlers));
+  return std::make_unique<RobotTopics>(node_, start, id, std::move(handlers));
 }
 
 void RobotInterface::requireFreeHands() const {

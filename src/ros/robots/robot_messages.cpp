@@ -14,9 +14,7 @@ namespace crowd {
 namespace {
 
 constexpr int DISC_CORNERS = 16;
-constexpr double UNMEASURED = 1e6;       // variance of height [m^2], roll and pitch [rad^2], and of their rates
-constexpr double LEAST_VARIANCE = 1e-6;  // of the others
-constexpr std::size_t DIMENSIONS = 6;    // x, y, z, and rotations about these axes
+constexpr std::size_t DIMENSIONS = 6;  // x, y, z, and rotations about these axes
 constexpr std::array<std::size_t, 3> MEASURED = {0, 1, 5};
 
 geometry_msgs::Pose2D toPose2D(const Pose& pose) {
@@ -27,7 +25,8 @@ geometry_msgs::Pose2D toPose2D(const Pose& pose) {
   return message;
 }
 
-/// @param covariance of x, y and heading
+}  // namespace
+
 void writeCovariance(const Eigen::Matrix3d& covariance, boost::array<double, DIMENSIONS * DIMENSIONS>& numbers) {
   numbers.fill(0.0);
   for (std::size_t i = 0; i < DIMENSIONS; ++i) numbers[i * DIMENSIONS + i] = UNMEASURED;
@@ -38,8 +37,6 @@ void writeCovariance(const Eigen::Matrix3d& covariance, boost::array<double, DIM
     }
   }
 }
-
-}  // namespace
 
 std::string framePrefix(const RobotStart& start) { return start.name_space.empty() ? "" : start.name_space + "/"; }
 

@@ -29,6 +29,13 @@ namespace crowd {
 /// @brief What the names of the robot's frames begin with.
 std::string framePrefix(const RobotStart& start);
 
+/// Variances of what is not measured (height [m^2], roll and pitch [rad^2], and their rates), and the least of others,
+/// as filters need positive ones.
+constexpr double UNMEASURED = 1e6;
+constexpr double LEAST_VARIANCE = 1e-6;
+/// @brief Writes the covariance of a pose or twist in space. @param covariance of x, y and heading
+void writeCovariance(const Eigen::Matrix3d& covariance, boost::array<double, 36>& numbers);
+
 Twist fromMessage(const geometry_msgs::Twist& message);
 /// @brief The pose of a frame in its parent; rotations other than about the vertical axis are left out.
 Pose fromMessage(const geometry_msgs::Transform& message);
@@ -42,8 +49,7 @@ Pose relativePose(const Pose& from, const Pose& to);
 /// @brief Pose in the frame that `frame` is given in of something at `pose` in `frame`.
 Pose composedPose(const Pose& frame, const Pose& pose);
 
-/// @brief Pose, twist and covariances. The variances of what is not measured (height, roll, pitch) are 1e6; the others
-/// are at least 1e-6, as filters need positive ones.
+/// @brief Pose, twist and covariances.
 nav_msgs::Odometry toMessage(const Odometry& odometry, const OdometryCovariance& covariance);
 /// @brief Description and ranges of a scan; `ranges` may be empty. @param tick_duration [s]
 sensor_msgs::LaserScan toMessage(const ScanSpec& spec, const std::vector<float>& ranges, double tick_duration);

@@ -1,9 +1,5 @@
 #include "ros/robots/robot_topics.h"
 
-#ifdef SOCIAL_CROWD_PEOPLE_MSGS
-#include <people_msgs/People.h>
-#endif
-
 #include <std_msgs/String.h>
 
 #include <utility>
@@ -14,49 +10,9 @@
 #include "ros/messages/topic_defaults.h"
 
 namespace crowd {
-namespace {
 
-/// A person as messages have it.
-struct SeenPerson {
-  std::string name;
-  Pose pose;
-  Vector2 velocity;
-};
-
-#ifdef SOCIAL_CROWD_PEOPLE_MSGS
-people_msgs::Person toPerson(const SeenPerson& seen) {
-  people_msgs::Person person;
-  person.name = seen.name;
-  person.position = toPoint(seen.pose.position);
-  person.velocity = toPoint(seen.velocity);
-  person.reliability = 1.0;
-  return person;
-}
-#endif
-
-/// @param visible agents by position, then obstacles; null: all are
-std::vector<SeenPerson> peopleIn(const World& world, const std::vector<bool>* visible) {
-  std::vector<SeenPerson> people;
-  for (std::size_t i = 0; i < world.agents().size(); ++i) {
-    const Agent& agent = world.agents().nth(i);
-    if (!agent.isPresent() || (visible != nullptr && !(*visible)[i])) continue;
-    people.push_back({std::to_string(agent.id), agent.pose, agent.velocity});
-  }
-  for (std::size_t i = 0; i < world.obstacles().size(); ++i) {
-    const Obstacle& obstacle = world.obstacles()[i];
-    const bool is_hidden = visible != nullptr && !(*visible)[world.agents().size() + i];
-    if (!obstacle.person || !world.isPresent(obstacle) || is_hidden) continue;
-    const PathMotion motion = obstacle.path.at(world.time());
-    people.push_back({nameOf(obstacle, i), {motion.position, bearingOf(motion.velocity)}, motion.velocity});
-  }
-  return people;
-}
-
-}  // namespace
-
-RobotTopics::RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, bool visible_people_only,
-                         Handlers handlers)
-    : id_(id), start_(start), visible_people_only_(visible_people_only), prefix_(framePrefix(start)) {
+RobotTopics::RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, Handlers handlers)
+    : id_(id), start_(start), prefix_(framePrefix(start)) {
   ros::NodeHandle own(node, start.name_space);
   own.setCallbackQueue(node.getCallbackQueue());
   const bool is_external = start.drive == Drive::EXTERNAL;
@@ -64,10 +20,7 @@ RobotTopics::RobotTopics(const ros::NodeHandle& node, const RobotStart& start, R
   scan_ = own.advertise<sensor_msgs::LaserScan>(names::SCAN, QUEUE);
   cloud_ = own.advertise<sensor_msgs::PointCloud2>(names::SCAN_CLOUD, QUEUE);
   if (start.scan.rings > 0) points_ = own.advertise<sensor_msgs::PointCloud2>(names::POINTS, QUEUE);
-  people_poses_ = own.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE);
-#ifdef SOCIAL_CROWD_PEOPLE_MSGS
-  people_ = own.advertise<people_msgs::People>(names::PEOPLE, QUEUE);
-#endif
+  people_.emplace(own);
   footprint_ = own.advertise<geometry_msgs::PolygonStamped>(names::FOOTPRINT, QUEUE);
   goals_ = own.advertise<geometry_msgs::PoseStamped>(names::GOAL, QUEUE, LATCHED);
   const boost::function<void(const ros::MessageEvent<const geometry_msgs::Twist>&)> take =
@@ -143,26 +96,8 @@ sensor_msgs::LaserScan RobotTopics::scanMessage(const std::vector<float>& ranges
 }
 
 void RobotTopics::publishPeople(const World& world, RobotSenses& senses, const ros::Time& now) {
-  const bool wants_poses = people_poses_.getNumSubscribers() > 0;
-  const bool wants_people = people_ && people_.getNumSubscribers() > 0;
-  if (!wants_poses && !wants_people) return;
-  const std::vector<bool>* visible = visible_people_only_ ? &senses.visibleBodies(world, id_) : nullptr;
-  const std::vector<SeenPerson> seen = peopleIn(world, visible);
-  const std_msgs::Header header = this->header(names::MAP_FRAME, now);
-  if (wants_poses) {
-    geometry_msgs::PoseArray poses;
-    poses.header = header;
-    for (const SeenPerson& person : seen) poses.poses.push_back(toMessage(person.pose));
-    people_poses_.publish(poses);
-  }
-#ifdef SOCIAL_CROWD_PEOPLE_MSGS
-  if (wants_people) {
-    people_msgs::People people;
-    people.header = header;
-    for (const SeenPerson& person : seen) people.people.push_back(toPerson(person));
-    people_.publish(people);
-  }
-#endif
+  if (!start_.tracks.keep && !people_->haveSubscribers()) return;
+  people_->publish(senses.tracks(world, id_), header(names::MAP_FRAME, now));
 }
 
 void RobotTopics::publishGoal(const Robot& robot, const ros::Time& now, bool begins) {

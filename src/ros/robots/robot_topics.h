@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "robots/robot_senses.h"
+#include "ros/robots/people_topics.h"
 #include "ros/robots/robot_messages.h"
 #include "world/world.h"
 
@@ -28,10 +29,8 @@ class RobotTopics {
     std::function<void(const geometry_msgs::PoseWithCovarianceStamped& pose)> pose;
   };
 
-  /// @param node whose callbacks the main loop serves @param visible_people_only people that the scanner does not see
-  /// are not published
-  RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, bool visible_people_only,
-              Handlers handlers);
+  /// @param node whose callbacks the main loop serves
+  RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, Handlers handlers);
 
   /// @brief The robot has another id now.
   void setId(RobotId id) { id_ = id; }
@@ -61,15 +60,13 @@ class RobotTopics {
 
   RobotId id_;
   RobotStart start_;
-  bool visible_people_only_;
   std::string prefix_;  // of frames
   std::optional<Vector2> goal_;
   ros::Publisher odometry_;
   ros::Publisher scan_;
   ros::Publisher cloud_;
   ros::Publisher points_;  // of a robot with rings
-  ros::Publisher people_poses_;
-  ros::Publisher people_;  // people_msgs/People; unused without people_msgs
+  std::optional<PeopleTopics> people_;
   ros::Publisher footprint_;
   ros::Publisher goals_;
   ros::Subscriber commands_;

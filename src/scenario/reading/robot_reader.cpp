@@ -101,6 +101,20 @@ void readScan(const YamlMap& parent, ScanSpec& scan) {
   if (scan.rings > 0 && scan.height <= 0.0) throwProblem(map.place(), node, "rings need a height above 0 m");
 }
 
+void readTracks(const YamlMap& parent, TrackSpec& tracks) {
+  const YAML::Node node = parent.find("tracks");
+  if (!node) return;
+  const YamlMap map(node, parent.placeOf("tracks"),
+                    {"occlusion", "range", "noise", "velocity_noise", "missed", "false_detections", "keep"});
+  tracks.occlusion = map.flag("occlusion", tracks.occlusion);
+  tracks.range = map.number("range", limits::DISTANCE, tracks.range);
+  tracks.noise = map.number("noise", limits::DISTANCE_OR_0, tracks.noise);
+  tracks.velocity_noise = map.number("velocity_noise", limits::SPEED_OR_0, tracks.velocity_noise);
+  tracks.missed = map.number("missed", NumberRule::FRACTION, tracks.missed);
+  tracks.false_detections = map.number("false_detections", limits::FALSE_DETECTIONS, tracks.false_detections);
+  if (map.has("keep")) tracks.keep = map.number("keep", limits::KEEP);
+}
+
 /// The places of a route that a robot can follow.
 std::vector<Region> placesOf(const YamlMap& map, const PopulationDescription& population) {
   const RouteDescription& route = population.routes[readNameOf(population.routes, map, "route")];
@@ -149,6 +163,7 @@ RobotGroup readRobot(const YAML::Node& node, const YamlPlace& place, const Units
                      "comfort",
                      "odometry",
                      "scan",
+                     "tracks",
                      "pose_from"});
   RobotGroup group;
   group.line = lineOf(node);
@@ -166,6 +181,7 @@ RobotGroup readRobot(const YAML::Node& node, const YamlPlace& place, const Units
   readCourtesy(map, start);
   readOdometry(map, start.odometry);
   readScan(map, start.scan);
+  readTracks(map, start.tracks);
   return group;
 }
 

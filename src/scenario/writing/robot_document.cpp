@@ -38,6 +38,13 @@ std::string odometryText(const OdometrySpec& odometry) {
          number("heading_per_metre", odometry.heading_per_metre) + "}";
 }
 
+std::string tracksText(const TrackSpec& tracks) {
+  return std::string("{occlusion: ") + (tracks.occlusion ? "true" : "false") +
+         (tracks.range < INFINITE ? number("range", tracks.range) : "") + number("noise", tracks.noise) +
+         number("velocity_noise", tracks.velocity_noise) + number("missed", tracks.missed) +
+         number("false_detections", tracks.false_detections) + (tracks.keep ? number("keep", *tracks.keep) : "") + "}";
+}
+
 std::string entryOf(const RobotStart& robot) {
   const Footprint& footprint = robot.footprint;
   return "  - {name: " + quotedYaml(robot.name) + entry("namespace", quotedYaml(robot.name_space)) +
@@ -47,7 +54,7 @@ std::string entryOf(const RobotStart& robot) {
          limitsText(robot) + number("cmd_timeout", robot.cmd_timeout) + number("goal_tolerance", robot.goal_tolerance) +
          entry("perceived", robot.perceived ? "true" : "false") + entry("yields", YIELDS.nameOf(robot.yields)) +
          number("comfort", robot.comfort) + entry("odometry", odometryText(robot.odometry)) +
-         entry("scan", scanText(robot.scan)) + "}\n";
+         entry("scan", scanText(robot.scan)) + entry("tracks", tracksText(robot.tracks)) + "}\n";
 }
 
 }  // namespace
