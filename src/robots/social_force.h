@@ -2,12 +2,10 @@
 
 #include "world/neighbours.h"
 
-namespace crowd {
-
 /// @brief The social force model: Helbing and Molnar, "Social force model for pedestrian dynamics", Physical Review E
 /// 51, 1995, with its numbers. There people are points; here the distance to a body is that between the rims. All
 /// vectors are in one frame at the robot; forces are per mass [m/s^2].
-namespace social_force {
+namespace crowd::social_force {
 
 inline constexpr double RELAXATION_TIME = 0.5;     ///< tau, in which the wanted velocity is reached [s]
 inline constexpr double REPULSION = 2.1;           ///< V0, of people [m^2/s^2]
@@ -32,5 +30,4 @@ Vector2 wallForce(const Segment& wall);
 /// @param direction that the robot wants to go to, any length
 double sightWeight(const Vector2& direction, const Vector2& force);
 
-}  // namespace social_force
-}  // namespace crowd
+}  // namespace crowd::social_force

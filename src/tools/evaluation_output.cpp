@@ -3,6 +3,7 @@
 #include <map>
 
 #include "common/files/files.h"
+#include "common/text/quotes.h"
 #include "simulation/evaluation/robot_record.h"
 #include "simulation/evaluation/robot_series.h"
 #include "simulation/evaluation/state_record.h"
@@ -67,7 +68,7 @@ void OutputNames::requireOwnFiles(const std::vector<std::string>& scenarios) con
     if (folder.empty()) continue;
     const auto [other, is_new] = option_of.emplace(folder, option);
     if (is_new) continue;
-    throw InputError(option + ": expected another folder than that of " + other->second + ", got '" + folder + "'");
+    throw InputError(option + ": expected another folder than that of " + other->second + ", got " + inQuotes(folder));
   }
   requireOwnOutputs("--trajectories", trajectories, scenarios);
   requireOwnOutputs("--scenes", scenes, scenarios);
