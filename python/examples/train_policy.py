@@ -98,8 +98,7 @@ def run_episodes(env, policy, seed, options=None):
 
 def score(results):
     """Returns the share of robots that arrived without a contact, and their mean time [s]. results: their metrics"""
-    clean = [one for one in results if one['success'] and not one['robot_on_person_collisions'] and
-             not one['person_on_robot_collisions'] and not one['mutual_collisions']]
+    clean = [one for one in results if one['success'] and not one['people_contacts']]
     return len(clean) / len(results), numpy.mean([one['time_to_reach_goal'] for one in clean]) if clean else math.nan
 
 

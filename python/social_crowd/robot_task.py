@@ -81,8 +81,7 @@ class RobotTask:
     def final_info(self, element):
         """Returns what is known at the end of an episode: whether it arrived without contact, and its metrics."""
         metrics = self.backend.result(element)
-        contacts = sum(metrics[f'{cause}_collisions'] for cause in ('robot_on_person', 'person_on_robot', 'mutual'))
-        return {'is_success': bool(metrics['success'] and contacts == 0), 'metrics': metrics}
+        return {'is_success': bool(metrics['success'] and metrics['people_contacts'] == 0), 'metrics': metrics}
 
     def _names(self):
         return [('ahead', 'left', 'rotation')[part] for part in self._parts]

@@ -16,8 +16,9 @@ from .suite import INVISIBLE, VISIBLE
 # contact, episodes with a contact, and the mean time of the former [s].
 CROWDNAV_ORCA = {VISIBLE: (500, 0, 10.02), INVISIBLE: (213, 284, 10.86)}
 
+CONTACTS = 'people_contacts'  # sum of CAUSES
 CAUSES = ['robot_on_person_collisions', 'person_on_robot_collisions', 'mutual_collisions']
-NEEDED = ['episode', 'scenario', 'robot', 'success', 'time_to_reach_goal', *CAUSES, 'personal_space_time']
+NEEDED = ['episode', 'scenario', 'robot', 'success', 'time_to_reach_goal', CONTACTS, *CAUSES, 'personal_space_time']
 # Of `evaluate --people-delay` only: a run through ROS has no run without robots to compare with.
 PEOPLE = {'people_compared': 0.0, 'people_delay': math.nan, 'people_detour': math.nan}
 DENSITY = 'people_density'  # [1/m2]; of records that have it
@@ -59,7 +60,7 @@ class Summary(typing.NamedTuple):
 
     @classmethod
     def of(cls, record):
-        success, touched = record['success'] > 0, record[CAUSES].sum(axis=1) > 0
+        success, touched = record['success'] > 0, record[CONTACTS] > 0
         time = record['time_to_reach_goal']
         known = record[record['people_compared'] > 0]
         of_people = [float(numpy.average(known[column], weights=known['people_compared'])) if len(known) else math.nan

@@ -40,8 +40,8 @@ A record of a robot that was driven elsewhere has the columns of `evaluate --rob
 rows belong to the scene that the column `scenario` names; people_compared is 0 where people's delay is not known.
 It is kept in the output folder, and is part of later tables.
 
-Completed runs are kept unless the program, the Q-table or their scene has changed. Ctrl-C keeps the finished runs;
-the same command continues from there.'''
+Completed runs are kept unless the program, the Q-table, their scene or a file that it names has changed. Ctrl-C keeps
+the finished runs; the same command continues from there.'''
 
 
 def wanted_robot(text):

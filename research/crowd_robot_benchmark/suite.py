@@ -3,10 +3,13 @@ import pathlib
 import typing
 
 import yaml
-from crowd_drawing.errors import read_documents
+from crowd_drawing.errors import read_documents, replaced
 from crowd_experiments.runs import Run
+from crowd_experiments.scenario_files import files_named_in
 from crowd_experiments.tools import REPOSITORY
 from crowd_robots.driving import DRIVEN
+
+from .identity import math_digest, scene_digest
 
 RECORD = 'robots.csv'  # in a run's folder
 DRIVER = REPOSITORY / 'scripts' / 'drive_robots'
@@ -41,16 +44,6 @@ def scene_files(config):
     return {file.stem: file for file in sorted((config / 'scenarios' / 'robots').glob('*.yaml'))}
 
 
-def files_named_in(document):
-    """Yields (container, key) for each place of a scenario document that names a file."""
-    if 'map' in document:
-        yield document, 'map'
-    for entry in document.get('recorded') or []:
-        yield entry, 'file'
-    if isinstance(document.get('kinds'), str):
-        yield document, 'kinds'
-
-
 def changed_scene(file, keys, copy):
     """Returns the file of a scene; with keys, writes the copy in which its robots have them."""
     if not keys:
@@ -60,8 +53,11 @@ def changed_scene(file, keys, copy):
         robot.update(keys)
     for entry, key in files_named_in(document):
         entry[key] = str((file.parent / entry[key]).resolve())
-    copy.parent.mkdir(parents=True, exist_ok=True)
-    copy.write_text(yaml.safe_dump(document, sort_keys=False), encoding='utf-8')
+    text = yaml.safe_dump(document, sort_keys=False)
+    if not copy.is_file() or copy.read_text(encoding='utf-8') != text:
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        with replaced(copy) as part:
+            part.write_text(text, encoding='utf-8')
     return copy
 
 
@@ -94,7 +90,8 @@ class Suite(typing.NamedTuple):
         """Returns the run of a robot in a scene of which some keys of the robots are changed."""
         baseline = ROBOTS[robot]
         command = self.command(baseline.controller, {**baseline.keys, **keys}, scene, episodes)
-        return Run(self.output / 'runs' / robot / name, [command], float(episodes))
+        return Run(self.output / 'runs' / robot / name, [command], float(episodes),
+                   (math_digest(), scene_digest(self.scenes[scene])))
 
     def command(self, controller, keys, scene, episodes, first=0, seed=SEED):
         """Returns the command of `evaluate` for episodes of a scene, from the number `first` on."""

@@ -3,6 +3,7 @@ import concurrent.futures
 import json
 import pathlib
 import tempfile
+import typing
 
 from crowd_experiments.arguments import add_file, add_tools, number_type, parser_of, positive
 from crowd_experiments.runs import ProgressBar, RunError, output_of
@@ -12,6 +13,7 @@ from .identity import Inputs
 from .results import read_results, record_rows
 from .suite import RECORD, Baseline, Suite, scene_files
 
+INPUTS = ('package', 'program', 'compiler', 'math', 'q_table', 'scene')
 ROWS = 20
 ALL = 'all'
 EPILOG = '''examples:
@@ -19,8 +21,9 @@ EPILOG = '''examples:
   research/robot_benchmark verify results/robots/results.csv --rows all --processes 2
 
 Each of the rows is compared with what its hash says of it, then its episode is walked again with the scenario, the
-Q-table and the program that are here, and each number has to be the same text. A row whose program, C library, scenario
-or Q-table differs from those here is named; its episode is repeated all the same, as its results may be the same.'''
+Q-table and the program that are here, and each number has to be the same text. Where the program, its compiler, the C
+library, the scenario or the Q-table differs from that of the row, a note says so; it is no failure if the results are
+the same.'''
 
 rows_type = number_type(lambda text: text if text == ALL else int(text), lambda rows: rows == ALL or rows >= 1,
                         "a whole number from 1, or 'all'")
@@ -34,15 +37,19 @@ def spread(rows, count):
 
 
 def problems_of_identity(row, inputs):
-    """Yields what differs between a row and what is here."""
+    """Yields why a row cannot be what it says, and cannot be repeated."""
     identity = row.identity
     if identity.computed_hash() != identity.hash:
         yield f'its hash is {identity.hash}, but what it names has the hash {identity.computed_hash()}'
     if identity.scenario not in inputs.scenes:
         yield 'there is no such scene here'
-        return
+
+
+def other_inputs(row, inputs):
+    """Yields what differs between what a row was made with and what is here."""
+    identity = row.identity
     here = inputs.identity('', Baseline('', {}), identity.scenario, 0, 0)
-    for name in ('package', 'program', 'math', 'q_table', 'scene'):
+    for name in INPUTS:
         if getattr(here, name) != getattr(identity, name):
             yield f'{name} is {getattr(identity, name)} in the file, {getattr(here, name)} here'
 
@@ -50,15 +57,17 @@ def problems_of_identity(row, inputs):
 def repeat(suite, row):
     """Walks the episode of a row again. Returns the columns and the texts of its record. Raises RunError."""
     identity = row.identity
-    try:
-        keys = json.loads(identity.keys)
-        command = suite.command(identity.controller, keys, identity.scenario, 1, int(identity.episode),
-                                int(identity.seed))
-    except (AttributeError, ValueError) as error:
-        raise RunError(f'{row.place()}: expected keys as JSON, whole numbers as seed and episode: {error}') from None
-    with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
+    with tempfile.TemporaryDirectory(prefix='social_crowd_') as name:
+        folder = pathlib.Path(name)  # also of a changed scene, so that no other thread writes it
+        try:
+            command = suite._replace(output=folder).command(identity.controller, json.loads(identity.keys),
+                                                            identity.scenario, 1, int(identity.episode),
+                                                            int(identity.seed))
+        except (AttributeError, ValueError) as error:
+            raise RunError(f'{row.place()}: expected keys as JSON, whole numbers as seed and episode: '
+                           f'{error}') from None
         output_of(command, cwd=folder)
-        columns, rows = record_rows(pathlib.Path(folder) / RECORD)
+        columns, rows = record_rows(folder / RECORD)
     return columns, rows[identity.episode]
 
 
@@ -73,20 +82,25 @@ def problems_of_values(columns, row, here, repeated):
             yield f'{name} is {old} in the file, {new} here'
 
 
+class Outcome(typing.NamedTuple):
+    """What the repetition of a row has shown."""
+    problems: list  # texts: results that differ, and others
+    notes: list  # inputs that differ
+
+
 def check(suite, inputs, columns, row):
-    """Returns the problems of a row, and whether its results are the same."""
+    """Returns the Outcome of a row."""
     problems = list(problems_of_identity(row, inputs))
     if row.identity.scenario not in suite.scenes:
-        return problems, False
+        return Outcome(problems, [])
     here, repeated = repeat(suite, row)
-    differences = list(problems_of_values(columns, row, here, repeated))
-    return problems + differences, not differences
+    return Outcome([*problems, *problems_of_values(columns, row, here, repeated)], list(other_inputs(row, inputs)))
 
 
 def main(words):
     parser = parser_of('robot_benchmark verify', 'Repeats rows of a results file of robot_benchmark, and compares them '
-                       'bit for bit.', EPILOG, '0 all rows are the same, 1 some are not, or an error, 2 wrong usage, '
-                       '130 interrupted.')
+                       'bit for bit.', EPILOG, '0 the results of all rows are the same, even if inputs differ, 1 some '
+                       'are not, a hash is not that of its row, or an error, 2 wrong usage, 130 interrupted.')
     add_file(parser, 'results', metavar='FILE.csv')
     parser.add_argument('--rows', type=rows_type, default=ROWS, metavar='N',
                         help='number of rows, spread over the file, or all (default: %(default)s)')
@@ -98,13 +112,12 @@ def main(words):
     columns, rows = read_results(arguments.results)
     evaluate, q_table = find_evaluation(arguments)
     chosen = spread(rows, arguments.rows)
-    with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
-        suite = Suite(evaluate, q_table, scene_files(find_config()), pathlib.Path(folder))
-        return report(arguments.results, chosen, repeat_all(suite, columns, chosen, arguments.processes))
+    suite = Suite(evaluate, q_table, scene_files(find_config()), pathlib.Path())
+    return report(arguments.results, chosen, repeat_all(suite, columns, chosen, arguments.processes))
 
 
 def repeat_all(suite, columns, rows, processes):
-    """Returns the problems of each row, and whether its results are the same."""
+    """Returns the Outcome of each row."""
     inputs = Inputs(suite)
     bar = ProgressBar(len(rows), len(rows), 'rows')
     with concurrent.futures.ThreadPoolExecutor(processes) as pool:
@@ -122,12 +135,12 @@ def repeat_all(suite, columns, rows, processes):
 
 
 def report(file, rows, outcomes):
-    """Prints the problems. Returns the exit status."""
-    for row, (problems, _) in zip(rows, outcomes):
-        for problem in problems:
-            print(f'{file}:{row.line}: {row.place()}: {problem}')
-    same = sum(is_same for _, is_same in outcomes)
-    sound = sum(not problems for problems, _ in outcomes)
-    print(f'{file}: {len(rows)} rows repeated: the results of {same} are the same, bit for bit; {sound} were made with '
-          'what is here')
-    return 0 if sound == len(rows) else 1
+    """Prints problems and notes. Returns the exit status."""
+    for row, outcome in zip(rows, outcomes):
+        for text in [*outcome.problems, *(f'note: {note}' for note in outcome.notes)]:
+            print(f'{file}:{row.line}: {row.place()}: {text}')
+    same = [outcome for outcome in outcomes if not outcome.problems]
+    other = sum(bool(outcome.notes) for outcome in same)
+    print(f'{file}: {len(rows)} rows repeated: {len(same)} are the same, bit for bit' +
+          (f', {other} of them though inputs differ' if other else ''))
+    return 0 if len(same) == len(rows) else 1

@@ -8,7 +8,7 @@ from crowd_experiments.runs import output_of
 from crowd_film.program import Settings, make
 from crowd_recordings.formats import read_shown
 
-from .measures import CAUSES
+from .measures import CONTACTS
 
 SHOWN = 5  # worst episodes of a robot
 HEADER = ['scene', 'episode', 'contacts', 'arrived', 'time [s]', 'personal space [s]', 'hash']
@@ -16,13 +16,9 @@ SIZE, FPS, SPEED = 480, 12.5, 3.0  # of films: pixels, frames in a second, simul
 LOG = 'log.jsonl'
 
 
-def contacts_of(values):
-    return sum(int(values[cause]) for cause in CAUSES)
-
-
 def badness(values):
     """Returns what episodes are ordered by: contacts, then failures, then the time near people."""
-    return contacts_of(values), values['success'] != '1', float(values['personal_space_time'])
+    return int(values[CONTACTS]), values['success'] != '1', float(values['personal_space_time'])
 
 
 def worst_rows(columns, rows):
@@ -38,7 +34,7 @@ def worst_rows(columns, rows):
 def cells_of(row, values):
     arrived = values['success'] == '1'
     time = f"{float(values['time_to_reach_goal']):.1f}" if arrived else '-'
-    return [row.identity.scenario, row.identity.episode, str(contacts_of(values)), 'yes' if arrived else 'no', time,
+    return [row.identity.scenario, row.identity.episode, values[CONTACTS], 'yes' if arrived else 'no', time,
             f"{float(values['personal_space_time']):.1f}", row.identity.hash]
 
 

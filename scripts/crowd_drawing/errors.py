@@ -55,6 +55,10 @@ class InputError(Exception):
     """An input is wrong; the message contains the file, the place and the reason."""
 
 
+class RunError(InputError):
+    """A tool has failed; the message contains the end of its output."""
+
+
 def problem_of(error, file=None):
     """Returns the message of an exception, with the file of an OSError; `file` is named if it names none."""
     if isinstance(error, OSError):

@@ -13,7 +13,9 @@ import threading
 import time
 import typing
 
-from crowd_drawing.errors import InputError, read_documents
+from crowd_drawing.errors import RunError
+
+from . import scenario_files
 
 WIDTH = 30
 PLAIN_PERIOD = 10.0  # [s] between two lines without a terminal
@@ -60,10 +62,6 @@ def text_of(seconds):
     return f'{int(seconds) // 60}:{int(seconds) % 60:02d}'
 
 
-class RunError(InputError):
-    """A tool has failed; the message contains the end of its output."""
-
-
 def output_of(command, **options):
     """Runs a program. Returns its standard output. Raises RunError with the end of all output if it fails."""
     words = list(map(str, command))
@@ -80,13 +78,16 @@ class Run(typing.NamedTuple):
     folder: pathlib.Path
     commands: list  # of lists of words; output files are relative to the folder
     cost: float = 1.0  # [s] approximate duration
+    inputs: tuple = ()  # texts of what else determines the results
 
     def lines(self):
         return [' '.join(map(str, command)) for command in self.commands]
 
     def stamp(self):
-        """Returns a digest of the commands, the programs and all files that they read."""
+        """Returns a digest of the commands, the programs, all files that they read, and the other inputs."""
         digest = hashlib.sha256()
+        for text in self.inputs:
+            digest.update(text.encode() + b'\0')
         for command in self.commands:
             for word in map(str, command):
                 digest.update(word.encode() + b'\0')
@@ -111,15 +112,8 @@ def files_behind(path):
     if path.name == 'train' or path.name == 'evaluate':
         files += sorted(path.parent.parent.glob('libsocial_crowd_core.*'))
     if path.suffix == '.yaml':
-        files += scenarios_of(path)
+        files += scenario_files.files_behind(path)
     return files
-
-
-@functools.lru_cache(maxsize=None)
-def scenarios_of(config):
-    """Returns the scenarios of a training configuration; an empty list for a scenario file."""
-    training = [document['training'] for document in read_documents(config)[:1] if 'training' in document]
-    return [config.parent / name for keys in training for name in keys.get('scenarios', [])]
 
 
 @functools.lru_cache(maxsize=None)

@@ -4,7 +4,7 @@ import pathlib
 import subprocess
 import sys
 
-from .runs import RunError
+from crowd_drawing.errors import RunError
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ('train', 'evaluate')

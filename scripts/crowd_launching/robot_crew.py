@@ -104,9 +104,9 @@ class RobotCrew:
             return
         names = {robot.name: robot.name_space for robot in self.scenario.robots}
         for state in states.robots:
-            topic = f'{names.get(state.name, "")}/initialpose'.lstrip('/')
-            publisher = self.poses.setdefault(state.name, rospy.Publisher(topic, PoseWithCovarianceStamped,
-                                                                          queue_size=1, latch=True))
+            if state.name not in self.poses:
+                topic = f'{names.get(state.name, "")}/initialpose'.lstrip('/')
+                self.poses[state.name] = rospy.Publisher(topic, PoseWithCovarianceStamped, queue_size=1, latch=True)
             pose = PoseWithCovarianceStamped()
             pose.header = states.header
             pose.pose.pose.position.x, pose.pose.pose.position.y = state.pose.x, state.pose.y
@@ -114,7 +114,7 @@ class RobotCrew:
             orientation.x, orientation.y, orientation.z, orientation.w = quaternion_from_euler(0, 0, state.pose.theta)
             for place, variance in VARIANCES.items():
                 pose.pose.covariance[place] = variance
-            publisher.publish(pose)
+            self.poses[state.name].publish(pose)
         self.episode = states.episode
 
     def check(self):

@@ -21,7 +21,6 @@ DRIVEN = {'move_base': {'navigation': 'move_base'},
 # Scenes that are driven if none is named.
 SCENES = ('robot_frontal', 'robot_overtaking', 'robot_corridor_against', 'robot_crossing', 'robot_intersection',
           'robot_blind_corner', 'robot_door', 'robot_obstruction', 'robot_crowd_10', 'robot_circle_20')
-CONTACTS = ('robot_on_person_collisions', 'person_on_robot_collisions', 'mutual_collisions')
 EXAMPLES = '''examples:
   scripts/drive_robots --config my_move_base --robots-csv mine.csv     your configuration in ten scenes
   scripts/drive_robots --robot move_base --episodes 5 --robots-csv /tmp/robots.csv robot_hall
@@ -119,7 +118,7 @@ def table_of(file):
 
 
 def row_of(name, record, chosen):
-    success, contacts = record['success'][chosen] > 0, sum(record[cause][chosen] for cause in CONTACTS)
+    success, contacts = record['success'][chosen] > 0, record['people_contacts'][chosen]
     time = f"{record['time_to_reach_goal'][chosen][success].mean():.1f}" if success.any() else '-'
     return [name, str(chosen.sum()), str(success.sum()), str((success & (contacts == 0)).sum()), f'{contacts.sum():g}',
             time, f"{record['personal_space_time'][chosen].mean():.1f}"]

@@ -14,6 +14,7 @@
 #include "common/text/suggestions.h"
 #include "ranks/mpi_communicator.h"
 #include "social_crowd/errors.h"
+#include "version.h"
 
 namespace crowd {
 namespace {
@@ -141,6 +142,7 @@ void catchInterrupts() {
 bool isInterrupted() { return interrupted != 0; }
 
 int runTool(CLI::App& app, int argc, char** argv, const std::function<int(Communicator& ranks)>& run) {
+  app.set_version_flag("--version", versionText(), "print version, digest of the sources, and compiler");
   try {
     const std::unique_ptr<Communicator> ranks = joinRanks();
     const std::optional<Answer> answer = parse(app, argc, argv);

@@ -13,9 +13,9 @@ namespace crowd {
 /// @brief Exit statuses of the tools.
 enum ExitStatus : int { EXIT_FINE = 0, EXIT_BAD_INPUT = 1, EXIT_BAD_USAGE = 2, EXIT_INTERRUPTED = 130 };
 
-/// @brief Parses the command line and runs the tool, alone or on the ranks that mpirun started. Prints help, usage
-/// errors, and other errors (one line, "NAME: message"): on several ranks, those that all ranks know of are printed
-/// once, by rank 0; one that only one rank knows of ends all.
+/// @brief Parses the command line and runs the tool, alone or on the ranks that mpirun started. Prints help, version,
+/// usage errors, and other errors (one line, "NAME: message"): on several ranks, those that all ranks know of are
+/// printed once, by rank 0; one that only one rank knows of ends all.
 /// @return the exit status.
 int runTool(CLI::App& app, int argc, char** argv, const std::function<int(Communicator& ranks)>& run);
 

@@ -1,11 +1,11 @@
-"""Python programs that roslaunch starts: scripts/show_crowd, learner_crew and play_bag."""
+"""Python programs that roslaunch starts: scripts/show_crowd, learner_crew, robot_crew and play_bag."""
 import os
 import signal
 import types
 
 import pytest
 import rospy
-from crowd_launching import back_off
+from crowd_launching import back_off, robot_crew
 from crowd_launching.nodes import ending_of
 from crowd_launching.rviz import MOST, draws_in_software, scale_for, sides_of
 from geometry_msgs.msg import Point, Pose2D
@@ -13,7 +13,8 @@ from nav_msgs.msg import Odometry
 from programs import assert_says, wait_for
 from roslib.packages import find_node
 from sensor_msgs.msg import LaserScan
-from social_crowd.msg import AgentState, ObstacleState, Scenario, Wall
+from social_crowd.msg import (AgentState, ObstacleState, RobotDescription, RobotState, RobotStates, Scenario,
+                              Wall)
 
 # Substitute for rospy whose import never ends.
 SLOW_IMPORT = """
@@ -129,3 +130,25 @@ class CrewTest:
         assert ending_of(2) == 'ended with exit status 2'
         assert ending_of(-signal.SIGKILL) == 'was killed by signal 9 (SIGKILL)'
         assert ending_of(-40) == 'was killed by signal 40'
+
+
+class RobotCrewTest:
+    """robot_crew, with messages in place of a scenario's robots."""
+
+    def test_one_publisher_of_poses_a_robot(self, monkeypatch):
+        topics, published = [], []
+
+        def publisher(topic, *_arguments, **_options):
+            topics.append(topic)
+            return types.SimpleNamespace(publish=published.append)
+
+        monkeypatch.setattr(robot_crew.rospy, 'get_param', lambda name, default: default)
+        monkeypatch.setattr(robot_crew.rospy, 'Subscriber', lambda *arguments, **options: None)
+        monkeypatch.setattr(robot_crew.rospy, 'Publisher', publisher)
+        crew = robot_crew.RobotCrew()
+        crew.note_scenario(Scenario(robots=[RobotDescription(name='tug', name_space='robots/tug'),
+                                            RobotDescription(name='cart')]))
+        for episode in (1, 1, 2, 3):
+            crew.publish_poses(RobotStates(episode=episode, robots=[RobotState(name='tug'), RobotState(name='cart')]))
+        assert topics == ['robots/tug/initialpose', 'initialpose']
+        assert len(published) == 2 * 3

@@ -208,10 +208,19 @@ class RunTest:
         stamps.append(stamp('--seed', 1))
         runner.write('config.yaml', 'training: {scenarios: [scenario.yaml], episodes: 7}\n')
         stamps.append(stamp('--seed', 1))
+        # What a scenario names, directly or not.
+        named = {'hall.yaml': 'image: hall.png\n', 'hall.png': 'png', 'walks.csv': 'walks', 'own.yaml': 'child: {}\n'}
+        for name, text in named.items():
+            runner.write(name, text)
+        runner.write('scenario.yaml', 'map: hall.yaml\nrecorded: [{file: walks.csv}]\nkinds: own.yaml\n')
+        stamps.append(stamp('--seed', 1))
+        for name, text in named.items():
+            runner.write(name, text + '# changed\n')
+            stamps.append(stamp('--seed', 1))
         os.remove(scenario)
         with pytest.raises(OSError):
             stamp('--seed', 1)
-        assert len(set(stamps)) == 4
+        assert len(set(stamps)) == 9
 
 
 class MotionTest:

@@ -1,8 +1,10 @@
 """research/robot_benchmark: measures, tables, the results file and its verification, and the command line."""
 import csv
+import hashlib
 import json
 import math
 import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -10,24 +12,28 @@ import subprocess
 import numpy
 import pytest
 from crowd_drawing.errors import read_documents
-from crowd_experiments.runs import RunError
+from crowd_experiments import scenario_files
+from crowd_experiments.runs import STAMP, RunError
+from crowd_experiments.scenario_files import files_behind
 from crowd_experiments.tools import find_config
-from crowd_robot_benchmark.identity import Identity, Inputs, scene_digest
+from crowd_robot_benchmark import verify
+from crowd_robot_benchmark.identity import Identity, Inputs, scene_digest, version_of
 from crowd_robot_benchmark.measures import (CAUSES, CROWDNAV_ORCA, Summary, chapter_of, interval, number_text,
                                             read_record, rows_of)
 from crowd_robot_benchmark.results import Row
-from crowd_robot_benchmark.suite import INVISIBLE, ROBOTS, VISIBLE, Suite, changed_scene, scene_files
-from crowd_robot_benchmark.verify import spread
+from crowd_robot_benchmark.suite import INVISIBLE, RECORD, ROBOTS, VISIBLE, Suite, changed_scene, scene_files
+from crowd_robot_benchmark.verify import repeat, spread
 from crowd_robot_benchmark.worst import worst_rows
 from programs import ANTICIPATION_TABLE, assert_says, in_package, read_text, tools_folder, wait_for
 
-COLUMNS = ('episode,scenario,robot,success,time_to_reach_goal,robot_on_person_collisions,person_on_robot_collisions,'
-           'mutual_collisions,personal_space_time,people_compared,people_delay,people_detour\n')
+COLUMNS = ('episode,scenario,robot,success,time_to_reach_goal,people_contacts,robot_on_person_collisions,'
+           'person_on_robot_collisions,mutual_collisions,personal_space_time,people_compared,people_delay,'
+           'people_detour\n')
 # Four episodes: clean; with a contact of the robot; two contacts and no arrival; clean, without people to compare.
-ROWS = ('0,robot_door,tug,1,10,0,0,0,2,3,1,0.5\n'
-        '1,robot_door,tug,1,20,1,0,0,4,1,-1,2.5\n'
-        '2,robot_door,tug,0,nan,0,1,1,6,0,nan,nan\n'
-        '0,robot_queue,tug,1,14,0,0,0,0,0,nan,nan\n')
+ROWS = ('0,robot_door,tug,1,10,0,0,0,0,2,3,1,0.5\n'
+        '1,robot_door,tug,1,20,1,1,0,0,4,1,-1,2.5\n'
+        '2,robot_door,tug,0,nan,2,0,1,1,6,0,nan,nan\n'
+        '0,robot_queue,tug,1,14,0,0,0,0,0,0,nan,nan\n')
 
 
 def record_file(folder, rows=ROWS, columns=COLUMNS):
@@ -69,7 +75,7 @@ class MeasuresTest:
     @pytest.mark.parametrize('text, said', [
         ('episode,scenario,success\n', 'without the columns robot, time_to_reach_goal, '),
         ('', 'expected a record of robots as CSV'),
-        (COLUMNS + '0,robot_door,tug,yes,1,0,0,0,0,0,0,0\n', 'expected a record of robots as CSV')])
+        (COLUMNS + '0,robot_door,tug,yes,1,0,0,0,0,0,0,0,0\n', 'expected a record of robots as CSV')])
     def test_other_files_are_refused(self, tmp_path, text, said):
         file = tmp_path / 'other.csv'
         file.write_text(text, encoding='utf-8')
@@ -171,21 +177,74 @@ class IdentityTest:
         shutil.copytree(in_package('config'), folder / 'config')
         q_table = folder / 'config' / 'q_tables' / 'anticipation.txt'
         file = folder / 'config' / 'scenarios' / 'robots' / f'{name}.yaml'
-        return Suite(folder / 'evaluate', q_table, {name: file}, folder / 'results')
+        return Suite(pathlib.Path(tools_folder(), 'evaluate'), q_table, {name: file}, folder / 'results')
 
+    @pytest.mark.parametrize('robot', ['learned', 'learned_stop'])
     @pytest.mark.parametrize('scene, files', [
-        ('robot_station', ['scenarios/robots/robot_station.yaml', 'maps/station.yaml', 'maps/station.png', 'kinds.yaml',
+        ('robot_station', ['scenarios/robots/robot_station.yaml', 'maps/station.yaml', 'maps/station.png',
                            'q_tables/anticipation.txt']),
-        ('robot_street', ['scenarios/robots/robot_street.yaml', 'recordings/street.csv', 'kinds.yaml'])])
-    def test_files(self, tmp_path, scene, files):
+        ('robot_street', ['scenarios/robots/robot_street.yaml', 'recordings/street.csv']),
+        ('robot_kinds', ['scenarios/robots/robot_kinds.yaml', 'kinds.yaml'])])
+    def test_files(self, tmp_path, scene, files, robot, monkeypatch):
+        """Hash and stamp change with each of them, so that no run is done that has another hash."""
         suite = self.suite(tmp_path, scene)
-        first = Inputs(suite).identity('learned', ROBOTS['learned'], scene, 1, 0).hash
-        hashes = {first}
+        monkeypatch.setattr(scenario_files, 'kinds_file', lambda: tmp_path / 'config' / 'kinds.yaml')
+
+        def state():
+            run = suite.run_of(robot, scene)
+            assert not run.is_done()
+            run.folder.mkdir(parents=True, exist_ok=True)
+            (run.folder / STAMP).write_text(run.stamp(), encoding='utf-8')
+            assert suite.run_of(robot, scene).is_done()
+            return Inputs(suite).identity(robot, ROBOTS[robot], scene, 1, 0).hash
+
+        hashes = {state()}
         for name in files:
             with open(tmp_path / 'config' / name, 'ab') as stream:
-                stream.write(b'\n')
-            hashes.add(Inputs(suite).identity('learned', ROBOTS['learned'], scene, 1, 0).hash)
+                stream.write(b'# changed: 1\n')
+            hashes.add(state())
         assert len(hashes) == len(files) + 1
+
+    def test_other_files_do_not_matter(self, tmp_path):
+        """Kinds of people are behind scenes that use them."""
+        suite = self.suite(tmp_path, 'robot_hall')
+        assert [*files_behind(suite.scenes['robot_hall'])] == []
+        assert files_behind(SCENES['robot_kinds']) == [find_config() / 'kinds.yaml']
+
+    def test_a_run_on_another_machine_is_not_done(self, tmp_path, monkeypatch):
+        suite = self.suite(tmp_path)
+        stamp = suite.run_of('learned', 'robot_station').stamp()
+        monkeypatch.setattr('crowd_robot_benchmark.suite.math_digest', lambda: 'another')
+        assert suite.run_of('learned', 'robot_station').stamp() != stamp
+
+    def test_what_the_program_says_of_itself(self, tmp_path):
+        package, sources, compiler = version_of(pathlib.Path(tools_folder(), 'evaluate'))
+        assert f'<version>{package}</version>' in read_text(in_package('package.xml'))
+        assert re.fullmatch('[0-9a-f]{16}', sources)
+        assert re.match(r'\w+ [\d.]+ ', compiler)
+        other = tmp_path / 'evaluate'
+        other.write_text('#!/bin/sh\necho package 1\n', encoding='utf-8')
+        other.chmod(0o755)
+        with pytest.raises(RunError, match='expected a line with sources, compiler'):
+            version_of(other)
+
+    def test_digest_of_sources(self, tmp_path):
+        """It is that of `sha256sum`, of all files and their names."""
+        sources = {'src/core.cmake': '-O3', 'src/tools/a.cpp': 'main'}
+        values = {'PROGRAM_SOURCES': ';'.join(sources), 'PROJECT_SOURCE_DIR': tmp_path, 'social_crowd_VERSION': '1.2',
+                  'BUILT_VERSION': tmp_path / 'built_version.h', 'BUILD_KIND': 'GNU "12"'}
+        script = read_text(in_package('src', 'tools', 'built_version.cmake'))
+        (tmp_path / 'digest.cmake').write_text(re.sub(r'@(\w+)@', lambda found: str(values[found[1]]), script),
+                                               encoding='utf-8')
+        for changed in ('-O3', '-O2'):
+            sources['src/core.cmake'] = changed
+            for name, text in sources.items():
+                (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+                (tmp_path / name).write_text(text, encoding='utf-8')
+            subprocess.run(['cmake', '-P', tmp_path / 'digest.cmake'], check=True)
+            sums = ''.join(f'{hashlib.sha256(text.encode()).hexdigest()}  {name}\n' for name, text in sources.items())
+            digest = hashlib.sha256(sums.encode()).hexdigest()[:16]
+            assert_says(read_text(tmp_path / 'built_version.h'), f'"{digest}"', '"1.2"', 'R"(GNU "12")"')
 
     def test_settings(self, tmp_path):
         inputs = Inputs(self.suite(tmp_path))
@@ -193,7 +252,7 @@ class IdentityTest:
         found = [inputs.identity(name, ROBOTS[name], 'robot_station', seed, episode)
                  for name, seed, episode in settings]
         assert len({identity.hash for identity in found}) == len(settings)
-        for field in ('package', 'program', 'math'):
+        for field in ('package', 'program', 'compiler', 'math'):
             assert found[0]._replace(**{field: '0'}).computed_hash() != found[0].hash
         # The name in tables determines nothing.
         assert found[0]._replace(baseline='other').computed_hash() == found[0].hash
@@ -211,16 +270,27 @@ class IdentityTest:
         named = [document.get('map'), *(entry['file'] for entry in document.get('recorded') or [])]
         assert all(os.path.isabs(file) and os.path.exists(file) for file in named if file)
 
+    def test_a_changed_scene_is_written_once(self, tmp_path):
+        """A program may be reading it."""
+        copy = tmp_path / 'robots' / 'robot_hall.yaml'
+        changed_scene(SCENES['robot_hall'], {'yields': 'both'}, copy)
+        state = copy.stat()
+        changed_scene(SCENES['robot_hall'], {'yields': 'both'}, copy)
+        assert (copy.stat().st_ino, copy.stat().st_mtime_ns) == (state.st_ino, state.st_mtime_ns)
+        changed_scene(SCENES['robot_hall'], {'yields': 'robot'}, copy)
+        assert copy.stat().st_ino != state.st_ino
+        assert os.listdir(copy.parent) == ['robot_hall.yaml']
+
 
 class WorstEpisodesTest:
     """The worst episodes, and films of them."""
 
     def test_order(self, tmp_path):
         """Contacts first, then failures, then the time near people; one episode of a scene."""
-        columns = ['success', 'time_to_reach_goal', *CAUSES, 'personal_space_time']
-        values = {('a', '0'): '1,9,0,0,0,5', ('a', '1'): '1,9,0,1,0,1', ('b', '0'): '0,nan,0,0,0,3',
-                  ('b', '1'): '1,9,0,0,0,9', ('c', '0'): '1,9,1,1,0,0', ('d', '0'): '1,9,0,0,0,1'}
-        rows = [Row(0, Identity(*(['x'] * 10), episode, scene), text.split(','))
+        columns = ['success', 'time_to_reach_goal', 'people_contacts', 'personal_space_time']
+        values = {('a', '0'): '1,9,0,5', ('a', '1'): '1,9,1,1', ('b', '0'): '0,nan,0,3', ('b', '1'): '1,9,0,9',
+                  ('c', '0'): '1,9,2,0', ('d', '0'): '1,9,0,1'}
+        rows = [Row(0, Identity(*(['x'] * 11), episode, scene), text.split(','))
                 for (scene, episode), text in values.items()]
         found = [(row.identity.scenario, row.identity.episode) for row, _ in worst_rows(columns, rows)]
         assert found == [('c', '0'), ('a', '1'), ('b', '0'), ('d', '0')]
@@ -262,8 +332,8 @@ class RobotBenchmarkTest:
         assert numpy.count_nonzero(record['people_compared']) == 3
         # People walk round a robot only if they see it.
         unseen = read_record(runner.path('results/runs/straight/crowdnav_invisible/robots.csv'))
-        assert numpy.sum(unseen['robot_on_person_collisions'] + unseen['mutual_collisions'] +
-                         unseen['person_on_robot_collisions']) > 0
+        assert numpy.sum(unseen['people_contacts']) > 0
+        assert numpy.array_equal(unseen['people_contacts'], unseen[CAUSES].sum(axis=1))
         assert not numpy.array_equal(unseen['minimum_clearance'], record['minimum_clearance'])
         assert 'perceived: false' in read_text(runner.path('results/scenarios/perceived_false/robot_circle_5.yaml'))
         again = self.benchmark(runner, '--table', '--episodes', '2', '--crowdnav-episodes', '3')
@@ -289,9 +359,9 @@ class RobotBenchmarkTest:
         assert other.wait() == 0, other.output()
         assert read_text(runner.path('other/results.csv')) == text
         assert_says(other.output(), done.output().split('SHA-256 ')[1].split()[0])
-        same = self.verify(runner, results, '--rows', 'all')
+        same = self.verify(runner, results, '--rows', 'all', '--processes', '4')
         assert same.wait() == 0, same.output()
-        assert_says(same.output(), '8 rows repeated: the results of 8 are the same, bit for bit; 8 were made with')
+        assert_says(same.output(), '8 rows repeated: 8 are the same, bit for bit\n')
         rows = rows_of_csv(results)
         changed = rows[-1]['path_length']
         digit = changed[:-1] + str((int(changed[-1]) + 1) % 10)
@@ -299,34 +369,65 @@ class RobotBenchmarkTest:
         found = self.verify(runner, wrong, '--rows', 'all')
         assert found.wait() == 1, found.output()
         assert_says(found.output(), f'wrong.csv:9: learned_stop in robot_station, episode 1: path_length is {digit} '
-                    f'in the file, {changed} here', 'the results of 7 are the same')
+                    f'in the file, {changed} here', '7 are the same, bit for bit\n')
 
     def verify(self, runner, file, *words):
         return runner.start('verify', [in_package('research', 'robot_benchmark'), 'verify', file, '--tools',
                                        tools_folder(), *words])
 
     def test_rows_of_other_inputs(self, runner):
-        """They are named, and repeated all the same."""
+        """They are named, and repeated all the same: only other results, or a hash of another row, are a failure."""
         done = self.benchmark(runner, '--robot', 'straight', '--scenes', 'robot_frontal', '--episodes', '1',
                               '--crowdnav-episodes', '0')
         assert done.wait() == 0, done.output()
         header, line = read_text(runner.path('results/results.csv')).splitlines()
         row = dict(zip(header.split(','), next(csv.reader([line]))))
-        other = runner.write('other.csv', f"{header}\n{line.replace(row['program'], '0' * 16)}\n")
-        found = self.verify(runner, other)
-        assert found.wait() == 1, found.output()
-        assert_says(found.output(), f"its hash is {row['hash']}, but what it names has the hash ",
-                    f"program is {'0' * 16} in the file, {row['program']} here", 'the results of 1 are the same')
         assert json.loads(row['keys']) == {}
+        other = line.replace(row['program'], '0' * 16)
+        note = f"note: program is {'0' * 16} in the file, {row['program']} here"
+        found = self.verify(runner, runner.write('other.csv', f'{header}\n{other}\n'))
+        assert found.wait() == 1, found.output()
+        identity = Identity(*next(csv.reader([other]))[:len(Identity._fields)])
+        assert_says(found.output(), f"its hash is {row['hash']}, but what it names has the hash "
+                    f'{identity.computed_hash()}', note, '1 rows repeated: 0 are the same')
+        other = other.replace(row['hash'], identity.computed_hash())
+        found = self.verify(runner, runner.write('other.csv', f'{header}\n{other}\n'))
+        assert found.wait() == 0, found.output()
+        assert_says(found.output(), note,
+                    '1 rows repeated: 1 are the same, bit for bit, 1 of them though inputs differ')
+
+    def test_rows_of_scenes_that_are_not_here(self, runner):
+        identity = Identity(*['1'] * (len(Identity._fields) - 1), 'robot_nowhere').with_hash()
+        file = runner.write('file.csv', f"{','.join(Identity._fields)},robot\n{','.join(identity)},tug\n")
+        found = self.verify(runner, file)
+        assert found.wait() == 1, found.output()
+        assert_says(found.output(), 'there is no such scene here', '1 rows repeated: 0 are the same')
 
     @pytest.mark.parametrize('text, said', [
         ('episode,scenario\n', 'expected results of robot_benchmark, with the columns hash,package,'),
         (','.join(Identity._fields) + ',robot\n', 'has no rows'),
-        (','.join(Identity._fields) + ',robot\na,b\n', 'file.csv:2: expected 13 values, got 2')])
+        (','.join(Identity._fields) + ',robot\na,b\n', 'file.csv:2: expected 14 values, got 2')])
     def test_files_that_cannot_be_verified(self, runner, text, said):
         refused = self.verify(runner, runner.write('file.csv', text))
         assert refused.wait() == 1, refused.output()
         assert_says(refused.output(), said)
+
+    def test_each_row_has_its_own_scene(self, monkeypatch):
+        """Rows of the same keys and scene are repeated in parallel."""
+        files = []
+
+        def walk(command, cwd):
+            assert cwd in command[-1].parents and 'yields: both' in read_text(command[-1])
+            files.append(command[-1])
+            (cwd / RECORD).write_text('episode,scenario,robot\n3,robot_hall,tug\n', encoding='utf-8')
+
+        monkeypatch.setattr(verify, 'output_of', walk)
+        suite = Suite(pathlib.Path('evaluate'), pathlib.Path('table.txt'), SCENES, pathlib.Path('nowhere'))
+        identity = Identity(*['1'] * len(Identity._fields))._replace(keys='{"yields": "both"}', scenario='robot_hall',
+                                                                     episode='3')
+        for _ in range(2):
+            assert repeat(suite, Row(2, identity, ['tug'])) == (['robot'], ['tug'])
+        assert files[0] != files[1]
 
     def test_rows_are_spread(self):
         assert spread(list(range(10)), 2) == [2, 7]
