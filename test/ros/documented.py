@@ -8,7 +8,7 @@ import support
 Parameter = namedtuple('Parameter', 'meaning range default')
 Range = namedtuple('Range', 'unit low high above below')
 # A number such as 1e6, 10^9 or -1.
-NUMBER = r'-?\d+(?:\.\d+)?(?:e\+?\d+|\^\d+)?'
+NUMBER = r'-?\d+(?:\.\d+)?(?:e[+-]?\d+|\^\d+)?'
 LIMITS = re.compile(rf'^(?:(?P<unit>[a-zA-Z][^,]*?)(?: of the wall clock)?, )?(?P<above>above )?(?P<low>{NUMBER})'
                     rf'(?: \([^)]*\))?(?: to (?P<below>below )?(?P<high>{NUMBER})| or above)$')
 UNLIMITED = 2147483647.0  # the highest whole number stands for no limit
