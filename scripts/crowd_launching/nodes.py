@@ -29,10 +29,10 @@ def start_node(kind, name, parameters):
     return subprocess.Popen([program, '__name:=' + name, '__ns:=' + rospy.get_namespace()], start_new_session=True)
 
 
-def stop_nodes(processes):
-    """Ends nodes as Ctrl-C does, so that they write their files; kills those that do not end in time."""
+def stop_nodes(processes, number=signal.SIGINT):
+    """Ends nodes by a signal, as Ctrl-C does, so that they write their files; kills those that do not end in time."""
     for process in processes:
-        process.send_signal(signal.SIGINT)
+        process.send_signal(number)
     for process in processes:
         try:
             process.wait(PATIENCE)

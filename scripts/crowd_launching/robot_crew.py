@@ -1,6 +1,7 @@
 """Starts launch files for each robot of a scenario, see scripts/robot_crew."""
 import os
 import shutil
+import signal
 import subprocess
 import time
 
@@ -138,7 +139,8 @@ class RobotCrew:
                 if not rospy.is_shutdown():
                     self.check()
         finally:
-            stop_nodes(list(self.launched.values()))
+            # A SIGINT while roslaunch reads its files would print a traceback.
+            stop_nodes(list(self.launched.values()), signal.SIGTERM)
 
 
 def main():

@@ -62,6 +62,7 @@ NOT_RUN = {
     'catkin_make': 'builds a workspace',
     'scripts/package': 'builds everything once more',
     'scripts/test': 'runs this test',
+    'rosrun social_crowd drive_robots --config FOLDER --robots-csv mine.csv': 'needs move_base; robot_benchmark_test',
     'scripts/demo': 'builds, which would change the programs under test',
     'scripts/demo scenario:=circle12 real_time_factor:=4': 'the same',
 }
@@ -138,7 +139,7 @@ class ReadmeTest:
         process = terminal.launch(printed(line, terminal))
         has_colours(screen, terminal.path('screen.png'))
         # A node that is interrupted while it registers its topics reports an error; RViz does so after it has drawn.
-        wait_for(lambda: '* /chosen_agent/goal ' in terminal.run('rosnode info /rviz'), 'the tools of RViz')
+        wait_for(lambda: '* /chosen_agent/goal ' in terminal.run('rosnode info /rviz || true'), 'the tools of RViz')
         terminal.interrupt(process)
         assert os.path.exists(terminal.path('table.txt')) == ('/tmp/table.txt' in line)
 

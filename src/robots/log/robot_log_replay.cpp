@@ -86,7 +86,7 @@ Vector2 RobotLogReplay::place(const LoggedPerson& logged, bool was_there, Known&
   body.radius = logged.radius.value_or(body.radius);
   body.group = logged.group.value_or(body.group);
   person.endless = logged.endless.value_or(person.endless);
-  const Vector2 way = was_there ? Vector2(logged.position - body.pose.position) : Vector2(Vector2::Zero());
+  Vector2 way = was_there ? Vector2(logged.position - body.pose.position) : Vector2(Vector2::Zero());
   body.velocity = logged.velocity.value_or(way / header_.tick_duration);
   const double course = body.velocity.isZero(0.0) ? body.pose.heading : bearingOf(body.velocity);
   body.pose = {logged.position, logged.heading.value_or(course)};
