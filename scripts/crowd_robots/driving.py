@@ -67,8 +67,8 @@ def main(words=None):
     settings = [{'scenario': file.absolute(), **DRIVEN[arguments.robot], **common} for file in files]
     if not shutil.which('roslaunch') or subprocess.run(['rospack', 'find', 'move_base'], stdout=subprocess.DEVNULL,
                                                        stderr=subprocess.DEVNULL, check=False).returncode != 0:
-        raise RunError('move_base is not in the ROS environment: install ros-noetic-navigation, or build it (docs/move_base.md), '
-                       'and source its setup file')
+        raise RunError('move_base is not in the ROS environment: install ros-noetic-navigation, or build it '
+                       '(docs/move_base.md), and source its setup file')
     return drive(settings, counts, arguments.robots_csv.absolute())
 
 

@@ -4,8 +4,6 @@
 
 namespace crowd {
 
-std::string versionText() {
-  return "package " BUILT_PACKAGE "\nsources " BUILT_SOURCES "\ncompiler " BUILT_BY;
-}
+std::string versionText() { return "package " BUILT_PACKAGE "\nsources " BUILT_SOURCES "\ncompiler " BUILT_BY; }
 
 }  // namespace crowd
