@@ -24,23 +24,24 @@ class Desk:
                             'ROS_HOME': runner.path('ros'), 'ROS_LOG_DIR': runner.path('ros/log')}
         self.uri = uri
         self.master = rosgraph.Master('/new_master_test', uri)
-        self.roscore = None
+        self.rosmaster = None
 
-    def start_roscore(self):
+    def start_rosmaster(self):
         """Starts a ROS master and waits until it answers."""
-        self.roscore = self.runner.start('roscore', ['roscore', '-p', self.uri.rsplit(':', 1)[1]],
+        # Not roscore, which ends if the master has not begun to answer after 10 s.
+        self.rosmaster = self.runner.start('rosmaster', ['rosmaster', '--core', '-p', self.uri.rsplit(':', 1)[1]],
                                          self.environment)
         wait_for(lambda: self.state() is not None, 'the ROS master')
 
-    def stop_roscore(self):
+    def stop_rosmaster(self):
         """Ends the ROS master."""
-        assert self.roscore.stop() == 0
+        assert self.rosmaster.stop() == 0
         assert self.state() is None
 
-    def replace_roscore(self):
+    def replace_rosmaster(self):
         """Ends the ROS master and starts another one."""
-        self.stop_roscore()
-        self.start_roscore()
+        self.stop_rosmaster()
+        self.start_rosmaster()
 
     def start(self, kind, *remappings, **parameters):
         """Starts a node of this package. Returns its Process."""
@@ -92,7 +93,7 @@ class Desk:
 @pytest.fixture
 def desk(runner):
     desk = Desk(runner)
-    desk.start_roscore()
+    desk.start_rosmaster()
     return desk
 
 
@@ -120,13 +121,13 @@ def assert_no_answer_lost(controller):
 
 
 class NewMasterTest:
-    """A new roscore on the same port."""
+    """A new rosmaster on the same port."""
 
     def test_all_is_registered_again_and_no_answer_is_lost(self, desk):
         controller, learner = desk.start_controller(), desk.start_learner()
         wait_episode(controller)
         before = desk.state()
-        desk.replace_roscore()
+        desk.replace_rosmaster()
         wait_registered_again(controller, learner)
         desk.wait_same_state(before)
         assert_says(desk.run('rosservice', 'call', '/crowd_controller/pause', 'true'), 'success: True', 'paused at')
@@ -144,7 +145,7 @@ class NewMasterTest:
         learners = [desk.start_learner(f'__name:=learner_{i}', share=i, shares=3) for i in range(3)]
         wait_episode(controller)
         before, links = desk.state(), desk.links('/crowd_controller')
-        desk.replace_roscore()
+        desk.replace_rosmaster()
         wait_registered_again(controller, *learners)
         desk.wait_same_state(before)
         assert links and links <= desk.links('/crowd_controller')
@@ -159,7 +160,7 @@ class NewMasterTest:
                                             ('crowd_controller', ['_scenario:=circle6', '_real_time_factor:=5']))]
         wait_episode(manager)
         before = desk.state('/manager')
-        desk.replace_roscore()
+        desk.replace_rosmaster()
         wait_registered_again(manager)
         desk.wait_same_state(before, '/manager')
         wait_episode(manager)  # which takes longer than the manager waits for signs of the programs
@@ -177,7 +178,7 @@ class NewMasterTest:
         controller, old = desk.start_controller(answer_deadline=1.0), desk.start_learner()
         wait_episode(controller)
         old.signal(signal.SIGSTOP)
-        desk.replace_roscore()
+        desk.replace_rosmaster()
         new = desk.start_learner()
         wait_for(lambda: desk.has_service('/learner/set_mode', '/learner'), 'the new learner')
         old.signal(signal.SIGCONT)
@@ -192,13 +193,13 @@ class NoMasterTest:
     def test_the_cause_is_told_and_a_new_learner_is_used(self, desk):
         controller, learner = desk.start_controller(answer_deadline=0.1), desk.start_learner()
         wait_episode(controller)
-        desk.stop_roscore()
+        desk.stop_rosmaster()
         learner.kill()
         wait_for(lambda: 'no answer for agent' in controller.output(), 'the warning of silence')
         assert_says(controller.output(), f': the ROS master at {desk.uri} does not answer; ')
         wait_for(lambda: f'the ROS master at {desk.uri} does not answer. Connected nodes go on' in controller.output(),
                  'the warning of the missing master')
-        desk.start_roscore()
+        desk.start_rosmaster()
         desk.start_learner()
         wait_registered_again(controller)
         assert_says(controller.output(), f'there is a ROS master at {desk.uri} again')
@@ -208,5 +209,5 @@ class NoMasterTest:
     def test_nodes_end_without_a_master(self, desk):
         controller, learner = desk.start_controller(), desk.start_learner()
         wait_episode(controller)
-        desk.stop_roscore()
+        desk.stop_rosmaster()
         assert (controller.stop(), learner.stop()) == (0, 0)

@@ -138,8 +138,10 @@ class ReadmeTest:
         terminal.environment.update(screen.variables)
         process = terminal.launch(printed(line, terminal))
         has_colours(screen, terminal.path('screen.png'))
-        # A node that is interrupted while it registers its topics reports an error; RViz does so after it has drawn.
-        wait_for(lambda: '* /chosen_agent/goal ' in terminal.run('rosnode info /rviz || true'), 'the tools of RViz')
+        # A node that is interrupted while it registers its topics reports an error, or crashes; RViz does so after it
+        # has drawn, and answers when it is ready.
+        answers = "rosnode info /rviz | grep -F '* /chosen_agent/goal ' && rosnode ping -c 1 /rviz | grep time= || true"
+        wait_for(lambda: 'time=' in terminal.run(answers), 'the tools of RViz')
         terminal.interrupt(process)
         assert os.path.exists(terminal.path('table.txt')) == ('/tmp/table.txt' in line)
 
