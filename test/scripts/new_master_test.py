@@ -30,7 +30,7 @@ class Desk:
         """Starts a ROS master and waits until it answers."""
         # Not roscore, which ends if the master has not begun to answer after 10 s.
         self.rosmaster = self.runner.start('rosmaster', ['rosmaster', '--core', '-p', self.uri.rsplit(':', 1)[1]],
-                                         self.environment)
+                                           self.environment)
         wait_for(lambda: self.state() is not None, 'the ROS master')
 
     def stop_rosmaster(self):
