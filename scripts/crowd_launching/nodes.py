@@ -1,4 +1,5 @@
 """Starts nodes of this package from another one, and stops them."""
+import os
 import signal
 import subprocess
 
@@ -30,9 +31,11 @@ def start_node(kind, name, parameters):
 
 
 def stop_nodes(processes, number=signal.SIGINT):
-    """Ends nodes by a signal, as Ctrl-C does, so that they write their files; kills those that do not end in time."""
+    """Ends nodes that have process groups of their own, as Ctrl-C does, so that they write their files; kills those that
+    do not end in time."""
     for process in processes:
-        process.send_signal(number)
+        if process.poll() is None:
+            os.killpg(process.pid, number)
     for process in processes:
         try:
             process.wait(PATIENCE)

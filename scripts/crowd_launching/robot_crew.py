@@ -139,11 +139,7 @@ class RobotCrew:
                 if not rospy.is_shutdown():
                     self.check()
         finally:
-            # A SIGINT while roslaunch reads its files would print a traceback; so would programs that it calls then,
-            # if they went on without it. Nodes are in groups of their own.
-            for process in self.launched.values():
-                if process.poll() is None:
-                    os.killpg(process.pid, signal.SIGTERM)
+            # A SIGINT while roslaunch reads its files would print a traceback.
             stop_nodes(list(self.launched.values()), signal.SIGTERM)
 
 

@@ -8,14 +8,12 @@
 namespace crowd {
 namespace {
 
-// Keys of recorded people: this one and their position among the obstacles. Ids of agents are smaller.
-constexpr std::uint64_t RECORDED = 1ULL << 32U;
-// Keys of detections of nobody: this one, the tick times FALSE_OF_A_TICK, and a number. They are below 2^53.
-constexpr std::uint64_t NOBODY = 1ULL << 52U;
+// Keys of false detections: this one, the tick times FALSE_OF_A_TICK, and a number. They are below 2^53.
+constexpr std::uint64_t FALSE_KEY = 1ULL << 52U;
 constexpr std::uint64_t FALSE_OF_A_TICK = 1ULL << 20U;
 
-constexpr double FALSE_RADIUS = 0.25;   // free room around a detection of nobody [m]
-constexpr int PLACE_DRAWS = 30;         // for a detection of nobody; then it is left out
+constexpr double FALSE_RADIUS = 0.25;   // free room around a false detection [m]: that of a person
+constexpr int PLACE_DRAWS = 30;         // for a false detection; then it is left out
 constexpr double TICK_ROUNDING = 1e-9;  // of a number of ticks
 
 /// The number of events of a Poisson process in a time in which `mean` are expected.
@@ -44,7 +42,7 @@ PersonTracker::PersonTracker(const TrackSpec& spec, const KeyedRandom& key, doub
 std::vector<PersonTrack> PersonTracker::update(const World& world, const TrackerView& view, const OccupancyMap* map) {
   detections_.clear();
   detectAll(world, view);
-  if (spec_.false_detections > 0.0) detectNobody(world, view, map);
+  if (spec_.false_detections > 0.0) addFalseDetections(world, view, map);
   if (spec_.keep) return follow(world.tick(), world.tickDuration());
   std::vector<PersonTrack> tracks;
   for (auto& [key, track] : detections_) tracks.push_back(std::move(track));
@@ -63,7 +61,8 @@ void PersonTracker::detectAll(const World& world, const TrackerView& view) {
     if (!obstacle.person || !world.isPresent(obstacle) || !is_visible(world.agents().size() + i)) continue;
     const PathMotion motion = obstacle.path.at(world.time());
     const Pose pose{motion.position, bearingOf(motion.velocity)};
-    detect(RECORDED + i, {RECORDED + i, nameOf(obstacle, i), pose, motion.velocity}, world, view);
+    const AgentId id = idOfRecorded(i);
+    detect(id, {id, nameOf(obstacle, i), pose, motion.velocity}, world, view);
   }
 }
 
@@ -89,8 +88,8 @@ void PersonTracker::addErrors(KeyedRandom& random, PersonTrack& track) const {
   if (spec_.velocity_noise > 0.0) track.pose.heading = bearingOf(track.velocity);
 }
 
-void PersonTracker::detectNobody(const World& world, const TrackerView& view, const OccupancyMap* map) {
-  KeyedRandom random = key_.with(world.tick()).with(NOBODY);
+void PersonTracker::addFalseDetections(const World& world, const TrackerView& view, const OccupancyMap* map) {
+  KeyedRandom random = key_.with(world.tick()).with(FALSE_KEY);
   const auto draw = [&]() -> std::optional<Vector2> {
     for (int i = 0; i < PLACE_DRAWS; ++i) {
       const Vector2 place = drawPlace(random, view.sensor, false_range_);
@@ -103,7 +102,7 @@ void PersonTracker::detectNobody(const World& world, const TrackerView& view, co
   for (std::uint64_t i = 0; i < std::min(count, FALSE_OF_A_TICK); ++i) {
     const std::optional<Vector2> place = draw();
     if (!place) continue;
-    const Key key = NOBODY + world.tick() * FALSE_OF_A_TICK + i;
+    const Key key = FALSE_KEY + world.tick() * FALSE_OF_A_TICK + i;
     PersonTrack track{key, std::to_string(key), {*place, 0.0}};
     addErrors(random, track);
     detections_.emplace(key, std::move(track));

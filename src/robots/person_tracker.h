@@ -35,7 +35,7 @@ struct TrackerView {
 };
 
 /// @brief Tracks of the people around a robot, as a tracker on it reports them: with ids, errors, people who are
-/// missed, and detections of nobody (TrackSpec). All depends on the random numbers' key, the tick and the person only.
+/// missed, and false detections (TrackSpec). All depends on the random numbers' key, the tick and the person only.
 /// It never changes the world. Not thread-safe.
 ///
 /// Without `keep` the id of an agent is its number, and a track ends with its detection. With it, tracks are numbered
@@ -43,7 +43,7 @@ struct TrackerView {
 /// at most this time; then it is forgotten.
 class PersonTracker {
  public:
-  /// @param key of its random numbers @param false_range greatest distance of detections of nobody [m]
+  /// @param key of its random numbers @param false_range greatest distance of false detections [m]
   PersonTracker(const TrackSpec& spec, const KeyedRandom& key, double false_range);
 
   const TrackSpec& spec() const { return spec_; }
@@ -52,7 +52,7 @@ class PersonTracker {
   std::vector<PersonTrack> update(const World& world, const TrackerView& view, const OccupancyMap* map);
 
  private:
-  /// Numbers of those whom a tracker may detect: an agent has its id.
+  /// Numbers of those whom a tracker may detect: agents have their ids, recorded people idOfRecorded().
   using Key = std::uint64_t;
   struct Kept {
     PersonTrack last;            // detection
@@ -63,7 +63,7 @@ class PersonTracker {
   void detectAll(const World& world, const TrackerView& view);
   /// Adds a person's track, unless the person is missed or too far away.
   void detect(Key key, PersonTrack truth, const World& world, const TrackerView& view);
-  void detectNobody(const World& world, const TrackerView& view, const OccupancyMap* map);
+  void addFalseDetections(const World& world, const TrackerView& view, const OccupancyMap* map);
   void addErrors(KeyedRandom& random, PersonTrack& track) const;
   std::vector<PersonTrack> follow(std::uint64_t tick, double tick_duration);
   PersonTrack predicted(const Kept& kept, double ticks, double tick_duration) const;

@@ -37,7 +37,7 @@ struct TrackSpec {
   double noise = 0.0;             ///< standard deviation of positions, in x and in y [m]
   double velocity_noise = 0.0;    ///< standard deviation of velocities, in x and in y [m/s]
   double missed = 0.0;            ///< probability that a person is not detected in a tick
-  double false_detections = 0.0;  ///< mean number in a second of detections of nobody
+  double false_detections = 0.0;  ///< mean number in a second, where nobody is
   /// A track is predicted for this time without a detection [s]; a person who is detected later gets another one. Not
   /// set: nothing is predicted, and everybody keeps the number of the agent.
   std::optional<double> keep;

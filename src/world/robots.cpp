@@ -203,15 +203,14 @@ void Robots::noteContact(RobotId id, const PersonMotion& person) {
 }
 
 void Robots::noteSolidContacts(const std::vector<Agent>& agents, const std::vector<SolidMotion::Disc>& discs,
-                               const std::vector<SolidMotion::Touch>& touches) {
+                               const SolidMotion& moved) {
   if (robots_.empty()) return;
-  const auto first_robot = static_cast<std::uint32_t>(discs.size() - robots_.size());
   std::uint32_t disc = 0;
   for (const Agent& agent : agents) {
     if (!agent.isPresent()) continue;
     const PersonMotion person{agent.id, agent.radius, discs[disc].position, discs[disc].way};
-    for (const SolidMotion::Touch& touch : touches) {
-      if (touch.disc == disc) noteContact(touch.robot - first_robot, person);
+    for (const SolidMotion::Touch& touch : moved.touches()) {
+      if (touch.disc == disc) noteContact(touch.robot - moved.firstRobot(), person);
     }
     for (RobotId id = 0; id < robots_.size(); ++id) {
       if (overlaps(sweeps_[id], person.start, person.radius - CONTACT_OVERLAP)) noteContact(id, person);

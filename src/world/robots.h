@@ -78,9 +78,9 @@ class Robots {
   /// @brief Appends the motions as solid bodies.
   void addDiscs(std::vector<SolidMotion::Disc>& discs) const;
   /// @brief Notes contacts with the agents. @param discs the intended motions of agents on their way, then others, then
-  /// of the robots @param touches the impacts of these
+  /// of the robots @param moved what has become of them
   void noteSolidContacts(const std::vector<Agent>& agents, const std::vector<SolidMotion::Disc>& discs,
-                         const std::vector<SolidMotion::Touch>& touches);
+                         const SolidMotion& moved);
   /// @brief Replaces the motions by those after impacts. @param sweeps of the robots
   void replaceMotions(const std::vector<RobotSweep>& sweeps) { sweeps_ = sweeps; }
   /// @brief Notes contacts with recorded people in a solid world. They pass over robots that have stopped.

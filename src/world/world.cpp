@@ -357,7 +357,7 @@ template <typename Moves>
 void World::carryOutSolidMotions(const Moves& moves) {
   const std::vector<SolidMotion::Outcome>& outcomes = solid_motion_.outcomes();
   auto outcome = outcomes.begin();
-  robots_.noteSolidContacts(agents_.values(), discs_, solid_motion_.touches());
+  robots_.noteSolidContacts(agents_.values(), discs_, solid_motion_);
   const bool do_obstacles_move = moves(agents_.size());
   if (do_obstacles_move) robots_.noteRecordedContacts(recordedMotions(), solid_motion_);
   for (std::size_t i = 0; i < agents_.size(); ++i) {
