@@ -6,8 +6,7 @@
 namespace crowd {
 namespace {
 
-constexpr double AHEAD = -0.3;  // cosine of the greatest angle between the way of a robot and people in it
-constexpr double STEP = 1.0;    // to the waypoint [m]
+constexpr double STEP = 1.0;  // to the waypoint [m]; research/docs/robots.md, "Comfort"
 
 bool opensLanes(const Robot& robot) {
   return robot.start.perceived && doesCrowdYield(robot.start.yields) && robot.start.comfort > 0.0 &&
@@ -22,7 +21,6 @@ std::optional<Vector2> placeAside(const Agent& agent, const Robot& robot) {
   if (gap >= robot.start.comfort || distance <= 0.0) return std::nullopt;
   const Vector2 way = robot.wantedVelocity().normalized();
   const Vector2 away = offset / distance;
-  if (away.dot(way) < AHEAD) return std::nullopt;
   const double side = cross(way, away) < 0.0 ? -1.0 : 1.0;
   const Vector2 aside = side * Vector2(-way.y(), way.x());
   return agent.pose.position + STEP * (away + aside).normalized();

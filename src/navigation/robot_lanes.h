@@ -7,8 +7,8 @@
 namespace crowd {
 
 /// @brief Lets people step aside from robots that wait on their way to a goal, so that a lane opens: those within the
-/// comfort of a robot (RobotStart::comfort) that is not behind them walk away from it and out of its way, until it
-/// drives on, or they have room. They perceive a waypoint in place of their goal (World::setWaypoint). Deterministic.
+/// comfort of a robot (RobotStart::comfort) walk away from it and out of its way, until it drives on, or they have
+/// room. They perceive a waypoint in place of their goal (World::setWaypoint). Deterministic.
 ///
 /// Call contract: update() once per tick, after waypoints were set.
 class RobotLanes {
