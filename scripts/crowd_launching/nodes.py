@@ -31,8 +31,8 @@ def start_node(kind, name, parameters):
 
 
 def stop_nodes(processes, number=signal.SIGINT):
-    """Ends nodes that have process groups of their own, as Ctrl-C does, so that they write their files; kills those that
-    do not end in time."""
+    """Ends nodes that have process groups of their own, as Ctrl-C does, so that they write their files. Kills those
+    that do not end in time."""
     for process in processes:
         if process.poll() is None:
             os.killpg(process.pid, number)

@@ -84,9 +84,15 @@ class Desk:
         """Repeats a command until it succeeds and its output contains these words."""
         deadline = time.monotonic() + PATIENCE
         while (output := self.run(*command)) is None or words not in output:
+            if self.processes[-1].poll() is not None:
+                raise RunError(f'roslaunch ended before {what} was there:\n{self.last_words()}')
             if time.monotonic() > deadline:
-                raise RunError(f'timeout of {PATIENCE:g} s while waiting for {what}')
+                raise RunError(f'timeout of {PATIENCE:g} s while waiting for {what}; roslaunch:\n{self.last_words()}')
             time.sleep(PERIOD)
+
+    def last_words(self):
+        """Returns the end of what roslaunch and its nodes have written."""
+        return '\n'.join(pathlib.Path(self.log).read_text(encoding='utf-8', errors='replace').splitlines()[-10:])
 
     def call(self, service, request):
         self.wait_for(['rosservice', 'call', service, request], f'the service {service}', 'success: True')

@@ -225,9 +225,12 @@ class PanelSettingsTest(PanelTestCase):
     """Settings in the configuration of RViz."""
 
     def panel_of(self, file):
-        """Returns the settings of the panel in a configuration."""
-        panels = yaml.safe_load(support.read_text(file))['Panels']
-        return next(panel for panel in panels if panel['Class'] == 'social_crowd/CrowdPanel')
+        """Returns the settings of the panel in a configuration; none while RViz writes the file."""
+        try:
+            panels = yaml.safe_load(support.read_text(file))['Panels']
+            return next(panel for panel in panels if panel['Class'] == 'social_crowd/CrowdPanel')
+        except (yaml.YAMLError, LookupError, TypeError, StopIteration):  # half of a file
+            return {}
 
     def test_settings_are_kept(self):
         self.start_all()
@@ -239,8 +242,8 @@ class PanelSettingsTest(PanelTestCase):
         rviz.wait_text('message', lambda text: 'floor.yaml' in text, 'the file')
         rviz.click('rviz::RenderPanel')  # the keyboard is that of the window again
         self.screen.use('key', 'ctrl+s')
-        support.wait_for(lambda: self.panel_of(file).get('Ticks') == 12, 'the saved configuration')
-        self.assertEqual(self.panel_of(file)['Folder'], self.folder)
+        expected = {'Ticks': 12, 'Folder': self.folder}
+        support.wait_for(lambda: expected.items() <= self.panel_of(file).items(), 'the saved configuration')
         self.assertEqual(rviz.close(), 0)
         rviz = self.open_rviz(configuration=file)
         self.assertEqual(rviz.text('ticks'), '12 ticks')
