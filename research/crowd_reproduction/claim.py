@@ -24,7 +24,7 @@ class Claim(typing.NamedTuple):
     says: str  # quotation or summary of the thesis
     judge: typing.Callable  # takes the Setting, returns a Judgement
     reasons: dict = {}  # known reasons, by verdict
-    has_readings: bool = True  # the readings differ
+    readings: tuple = ()  # those under which it is judged
 
 
 def all_of(judges):

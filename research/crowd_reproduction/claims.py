@@ -18,17 +18,13 @@ OTHERS = list(READINGS)[1:]
 def claims_of(entries):
     return [Claim(entry['section'], entry['says'],
                   all_of([(JUDGES[judge], words) for judge, *words in entry['judges']]), entry.get('reasons', {}),
-                  entry.get('readings', True)) for entry in entries]
+                  entry.get('readings', list(READINGS))) for entry in entries]
 
 
 def judge(setting, claims):
-    """Returns the Judgements on claims, a list for each reading. Where readings do not differ, that of the first."""
-    found = {LEAD: [claim.judge(setting) for claim in claims]}
-    for reading in OTHERS:
-        other = Reading.of(setting, reading)
-        found[reading] = [claim.judge(other) if claim.has_readings else first
-                          for claim, first in zip(claims, found[LEAD])]
-    return found
+    """Returns the Judgements on claims, a list for each reading; None where a claim is not judged under a reading."""
+    return {reading: [claim.judge(Reading.of(setting, reading)) if reading in claim.readings else None
+                      for claim in claims] for reading in READINGS}
 
 
 def report(setting):
@@ -44,20 +40,20 @@ def add_claims(chapter, claims, found):
     rows = list(zip(claims, *found.values()))
     chapter.tabulate('tally', ['reading', *VERDICTS], [
         [READINGS[reading]['label'], *(str(count) for count in counts_of(
-            [judgement for claim, judgement in zip(claims, judgements) if claim.has_readings]))]
+            [judgement for claim, judgement in zip(claims, judgements) if len(claim.readings) == len(READINGS)]))]
         for reading, judgements in found.items()])
     chapter.tabulate('verdicts', ['section', 'claim of the thesis', 'verdict', 'number', 'with other readings'], [
         [claim.section, claim.says, first.verdict, first.number,
-         readings_text(first, others) if claim.has_readings else 'not measured']
+         readings_text(first, others)]
         for claim, first, *others in rows])
     chapter.tabulate('measured', ['section', 'claim of the thesis', 'measured', 'reason, if known', *(
         READINGS[reading]['label'] for reading in OTHERS)], [
             [claim.section, claim.says, first.measured, claim.reasons.get(first.verdict, ''), *(
-                f'{SHORT[other.verdict]}: {other.number}' if claim.has_readings else '' for other in others)]
+                f'{SHORT[other.verdict]}: {other.number}' if other else 'not measured' for other in others)]
             for claim, first, *others in rows])
     counts = ', '.join(f'{count} {verdict}' for verdict, count in zip(VERDICTS, counts_of(found[LEAD])))
     never = [f'{claim.says} ({claim.section})' for claim, *judgements in rows
-             if claim.has_readings and {judgement.verdict for judgement in judgements} == {NOT_CONFIRMED}]
+             if all(judgement and judgement.verdict == NOT_CONFIRMED for judgement in judgements)]
     chapter.phrases['tally'] = f'Of {len(claims)} claims and expectations of the thesis: {counts}.'
     chapter.phrases['never'] = ''.join(f'\n- {text}' for text in never) + '\n'
 
@@ -67,10 +63,11 @@ def counts_of(judgements):
 
 
 def readings_text(first, others):
-    """Returns the readings with another verdict, or `the same`."""
-    parts = []
-    for verdict in VERDICTS:
-        names = [READINGS[reading]['label'] for reading, other in zip(OTHERS, others) if other.verdict == verdict]
-        if verdict != first.verdict and names:
-            parts.append(f'{SHORT[verdict]}: {"; ".join(names)}')
-    return '. '.join(parts) or 'the same'
+    """Returns the readings with another verdict, or `the same`, and those under which a claim is not judged."""
+    verdicts = [other.verdict if other else None for other in others]
+
+    def names(verdict):
+        return '; '.join(READINGS[reading]['label'] for reading, found in zip(OTHERS, verdicts) if found == verdict)
+    parts = [f'{SHORT[verdict]}: {names(verdict)}' for verdict in VERDICTS
+             if verdict != first.verdict and names(verdict)] or ['the same']
+    return '. '.join(parts + ([f'not measured: {names(None)}'] if names(None) else []))

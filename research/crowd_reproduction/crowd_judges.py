@@ -300,8 +300,7 @@ def staying_pays(setting):
 def staying_helps(setting):
     """Judges whether surrounded agents have fewer contacts if they can stay, at the costs at which agents arrive."""
     def of_surrounded(variation):
-        found = surrounded(future_work.runs_of(setting, variation), future_work.SCENARIO, future_work.WATCHED)
-        return [one.touched for one in found]
+        return [one.touched for one in future_work.found_of(setting, variation)]
     without = of_surrounded(THESIS)
     parts = [compared(f'contact of agents that were surrounded, {name}: ', 'without', without, 'with the action',
                       of_surrounded(variation), 1, unit=' %')

@@ -3,7 +3,7 @@ from crowd_experiments import style
 from crowd_experiments.records import Spread
 
 from ..crowds import LEAST_SECTORS, SOON, agents, surrounded
-from ..declared import LEAD, THESIS
+from ..declared import GROUPS, LEAD, READINGS, THESIS, Reading
 from ..results import RATE_HEADER, Runs, rate_texts, report_of
 from .scenarios import SURROUNDED, surrounded_row
 
@@ -20,19 +20,27 @@ COLOUR = '#8e5ea2'
 
 def report(setting):
     chapter = report_of(NAME, setting, 8, least=LEAST_SECTORS, soon=SOON)
-    found = {variation: surrounded(runs_of(setting, variation), SCENARIO, WATCHED) for variation in LABELS}
-    add_figure(chapter, setting, found)
-    chapter.tabulate(NAME, ['', *RATE_HEADER, 'path ratio (arrivals only)', 'time ratio (arrivals only)',
-                            'rows visited in training'], [row_of(setting, variation) for variation in LABELS])
-    chapter.tabulate('surrounded', ['', *SURROUNDED], [
-        surrounded_row(label, found[variation]) for variation, label in LABELS.items()],
-        definitions=chapter.text_of('definitions'))
+    add_figure(chapter, setting)
+    for reading in GROUPS[NAME]['each']['parameters']:
+        read, values = Reading.of(setting, reading), {'reading': READINGS[reading]['label']}
+        name = '' if reading == LEAD else f'_{reading}'
+        chapter.tabulate(NAME + name, ['', *RATE_HEADER, 'path ratio (arrivals only)', 'time ratio (arrivals only)',
+                                       'rows visited in training'],
+                         [row_of(read, variation) for variation in LABELS], NAME, **values)
+        chapter.tabulate('surrounded' + name, ['', *SURROUNDED],
+                         [surrounded_row(label, found_of(read, variation)) for variation, label in LABELS.items()],
+                         'surrounded', **values, definitions=chapter.text_of('definitions'))
     return chapter
 
 
 def runs_of(setting, variation):
-    """Returns the runs of a variation, with the reading that leads; the thesis's agent is that of the scenarios."""
-    return agents(setting, LEAD) if variation == THESIS else Runs.of(setting, NAME, variation=variation)
+    """Returns the runs of a variation; the thesis's agent is that of the scenarios."""
+    return agents(setting) if variation == THESIS else Runs.of(setting, NAME, variation=variation)
+
+
+def found_of(setting, variation):
+    """Returns what is found of surrounded agents, for each seed."""
+    return surrounded(runs_of(setting, variation), SCENARIO, WATCHED)
 
 
 def rates(setting, variation):
@@ -47,12 +55,12 @@ def row_of(setting, variation):
             Spread(runs.headers('q_table.txt', 'visited_rows')).text(0)]
 
 
-def add_figure(chapter, setting, found):
+def add_figure(chapter, setting):
     figure, axes = style.new_figure(1, 4, 14, 4.4, sharey=True)
     for place, variation in enumerate(LABELS):
         of_variation = rates(setting, variation)
         panels = {**{f'{rate} [% of the agents]': of_variation[rate] for rate in of_variation},
-                  'contact after being surrounded [%]': [one.touched for one in found[variation]]}
+                  'contact after being surrounded [%]': [one.touched for one in found_of(setting, variation)]}
         for panel, (title, values) in zip(axes[0], panels.items()):
             values = Spread.of_numbers(values)
             panel.barh(place, values.mean, color=COLOUR, alpha=0.45)
