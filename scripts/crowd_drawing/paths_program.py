@@ -9,10 +9,10 @@ from crowd_recordings.formats import recorded_people
 from crowd_recordings.robot_log import is_robot_log, read_robot_log
 
 EXAMPLES = '''examples:
-  rosrun social_crowd evaluate --q-table config/q_tables/human.txt --trajectories recordings place_corner
+  rosrun social_crowd evaluate --q-table human --trajectories recordings place_corner
   rosrun social_crowd plot_paths --trajectories recordings/place_corner.csv --scenario place_corner --output paths.png
   rosrun social_crowd plot_paths --trajectories recordings/circle6.csv --scenario circle6 --moment 6 --output 6s.png
-  rosrun social_crowd evaluate --q-table config/q_tables/anticipation.txt --robot reactive --robot-log door.jsonl \\
+  rosrun social_crowd evaluate --q-table anticipation --robot reactive --robot-log door.jsonl \\
       robot_door
   rosrun social_crowd plot_paths --trajectories door.jsonl --scenario robot_door --output door.png'''
 

@@ -13,7 +13,7 @@ from crowd_report.tables import (HEADERS, LOG, METRICS, RECORD, ROBOTS, TRAJECTO
 
 EXAMPLES = '''examples:
   for table in anticipation human; do mkdir -p $table
-      rosrun social_crowd evaluate --q-table config/q_tables/$table.txt --episodes 20 \\
+      rosrun social_crowd evaluate --q-table $table --episodes 20 \\
       --csv $table/metrics.csv --record $table/record.csv --trajectories $table circle6 place_corner; done
   report anticipation/*.csv human/*.csv --output report.html
   report one=a/metrics.csv other=b/metrics.csv --training one=a/learning.csv other=b/learning.csv --output report.html

@@ -8,6 +8,7 @@
 #include "common/thread_pool.h"
 #include "evaluation_output.h"
 #include "learning/q_table_file.h"
+#include "learning/q_table_names.h"
 #include "metrics_table.h"
 #include "progress_bar.h"
 #include "rank_tools.h"
@@ -111,6 +112,7 @@ struct Inputs {
 };
 
 Inputs readInputs(Arguments& arguments) {
+  arguments.q_table = findQTable(arguments.q_table);
   Inputs inputs{loadQTable(arguments.q_table, FileKinds::REGULAR_OR_PIPE), {}};
   if (!arguments.config.empty()) useModelOf(arguments.config, arguments.q_table, inputs.trained);
   arguments.output.request(arguments.plan);
@@ -156,7 +158,7 @@ int runMain(int argc, char** argv) {
                "evaluate");
   Arguments arguments;
   arguments.plan.threads = ThreadPool::countFor(0);
-  app.add_option("--q-table", arguments.q_table, "Q-table file")->required();
+  app.add_option("--q-table", arguments.q_table, "Q-table file, or the name of a shipped one")->required();
   app.add_option("--config", arguments.config,
                  "training configuration whose model is used; default: that of the table");
   app.add_option("--episodes", arguments.plan.episodes,
@@ -209,7 +211,7 @@ int runMain(int argc, char** argv) {
   app.footer(
       std::string(
           "example:\n"
-          "  rosrun social_crowd evaluate --q-table config/q_tables/human.txt --episodes 100 --csv metrics.csv circle6 "
+          "  rosrun social_crowd evaluate --q-table human --episodes 100 --csv metrics.csv circle6 "
           "place_corner\n\n"
           "success%: agents that arrived, of those that were to; contact%: whose bodies overlapped another one or a "
           "wall; collision%: that "

@@ -7,6 +7,7 @@
 #include "command_line.h"
 #include "common/files/result_file.h"
 #include "common/text/numbers.h"
+#include "robot_means.h"
 #include "robot_metric_arguments.h"
 #include "robots/log/robot_log_scoring.h"
 #include "simulation/evaluation/robot_record.h"
@@ -61,6 +62,7 @@ int scoreAll(const Arguments& arguments) {
   std::optional<ResultFile> goals = open(arguments.goals);
   std::optional<ResultFile> series = open(arguments.series);
   Output output;
+  RobotMeans means;
   LogScoring scoring;
   if (series) {
     scoring.on_tick = [&](const RobotLogReplay& replay) {
@@ -77,11 +79,15 @@ int scoreAll(const Arguments& arguments) {
     appendRobotRows(number, episode, output.robots);
     appendRobotGoalRows(number, episode, output.goals);
     if (csv && csv->isStream()) return;
-    for (const RobotResult& robot : episode.robots) print(episode, number, robot);
+    for (const RobotResult& robot : episode.robots) {
+      print(episode, number, robot);
+      means.add(robot);
+    }
   };
   for (const std::string& log : arguments.logs) {
     scoreRobotLog(log, arguments.metrics, scoring, FileKinds::REGULAR_OR_PIPE);
   }
+  std::cout << means.text();
   if (csv) csv->write(output.robots);
   if (goals) goals->write(output.goals);
   if (series) series->write(output.series);
@@ -102,11 +108,12 @@ int runMain(int argc, char** argv) {
   app.add_flag("--fields", arguments.lists_fields, "print names and units of the columns of --csv, and nothing else");
   app.footer(
       "example:\n"
-      "  rosrun social_crowd evaluate --q-table config/q_tables/anticipation.txt --robot reactive --robot-log "
+      "  rosrun social_crowd evaluate --q-table anticipation --robot reactive --robot-log "
       "log.jsonl "
       "robot_hall\n"
       "  rosrun social_crowd score_robots log.jsonl --csv robots.csv\n\n"
-      "Prints the metrics that were measured of each robot, unless the CSV file is a device or a pipe, such as "
+      "Prints the metrics that were measured of each robot, and their means over all robots and episodes, unless the "
+      "CSV file is a device or a pipe, such as "
       "/dev/stdout. Files are written when all logs have been read.\n"
       "Exit status: 0 success, 1 error in the input, 2 wrong usage.");
   return runTool(app, argc, argv, [&](Communicator& /*ranks*/) {

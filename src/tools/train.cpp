@@ -84,7 +84,8 @@ int runMain(int argc, char** argv) {
                  "interval in episodes at which the table is also saved, as OUTPUT_000500.txt etc.; 0: never; "
                  "overrides the configuration")
       ->check(atLeast(0));
-  app.add_option("--q-table", arguments.q_table, "Q-table file from which learning continues");
+  app.add_option("--q-table", arguments.q_table,
+                 "Q-table file, or the name of a shipped one, from which learning continues");
   app.add_option("--tables", arguments.tables,
                  "one shared table, or one own table per agent; overrides the configuration")
       ->check(CLI::IsMember({"shared", "own"}));

@@ -14,6 +14,7 @@
 #include "common/files/result_file.h"
 #include "common/text/numbers.h"
 #include "learning/q_table_file.h"
+#include "learning/q_table_names.h"
 #include "rank_tools.h"
 #include "social_crowd/errors.h"
 #include "terminal.h"
@@ -158,7 +159,7 @@ void TrainingRun::makeTraining() {
   if (beginning_.resumed || arguments_.q_table.empty()) {
     training_.emplace(std::move(config), arguments_.threads, ranks_);
   } else {
-    beginning_.q_table = loadQTable(arguments_.q_table, FileKinds::REGULAR_OR_PIPE);
+    beginning_.q_table = loadQTable(findQTable(arguments_.q_table), FileKinds::REGULAR_OR_PIPE);
     requireFit(config.model, beginning_.q_table->model, arguments_.q_table);
     training_.emplace(std::move(config), *beginning_.q_table, arguments_.threads, ranks_);
   }

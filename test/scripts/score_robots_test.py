@@ -119,6 +119,20 @@ class HandMadeLogTest:
         assert float(row['minimum_distance_to_people']) == pytest.approx(math.hypot(1, 0.9) - 0.3)
         assert (float(row['aggregated_time']), float(row['minimum_obstacle_clearance'])) == (2, pytest.approx(0.7))
 
+    def test_means_of_episodes(self, runner):
+        """Both robots drive straight at 1 m/s: one for 1 s and the other for 3 s, mean 2 and deviation sqrt(2)."""
+        header = ('{"tick_duration": 1, "robots": [{"radius": 0.2, "max_speed": 1, "goals": [[%d, 0]], '
+                  '"goal_tolerance": 0.1}]}\n')
+        for name, length in (('a', 1), ('b', 3)):
+            runner.write(f'{name}.jsonl', header % length + ''.join(
+                '{"tick": %d, "robots": [{"x": %d, "y": 0, "heading": 0}]}\n' % (tick, tick)
+                for tick in range(length + 1)))
+        _, output = score(runner, 'a.jsonl', 'b.jsonl')
+        means = output[output.index('mean ± standard deviation (least to greatest) of 2 results'):].splitlines()
+        expected = ['time_to_reach_goal', '2.000', '±', '1.414', '(1.000', 'to', '3.000)', 's']
+        assert expected in [line.split() for line in means], means
+        assert 'mean ±' not in score(runner, 'a.jsonl')[1]
+
     @pytest.mark.parametrize('text, message', [
         ('', 'expected a log of robots'),
         ('{"tick": 1}\n', 'line 1: expected a header'),

@@ -10,7 +10,6 @@ namespace crowd {
 namespace {
 
 constexpr std::size_t MAX_EDITS = 2;
-constexpr std::size_t MOST_NAMES = 200;  // in a message
 
 /// Returns the distance of two names if they are near; nullopt if not, or if their lengths differ too much for that.
 std::optional<std::size_t> nearDistance(std::string_view given, std::string_view known) {
@@ -74,9 +73,9 @@ std::string didYouMean(std::string_view given, const std::vector<std::string>& k
   return nearest.empty() ? "" : ", did you mean '" + prefix + nearest + "'?";
 }
 
-std::string joinNames(const std::vector<std::string>& names, const std::string& prefix) {
+std::string joinNames(const std::vector<std::string>& names, const std::string& prefix, std::size_t most) {
   std::string text;
-  const std::size_t shown = std::min(names.size(), MOST_NAMES);
+  const std::size_t shown = std::min(names.size(), most);
   for (std::size_t i = 0; i < shown; ++i) {
     if (i > 0) text += ", ";
     text.append(prefix).append(shortened(names[i]));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,8 +22,9 @@ std::string didYouMean(std::string_view given, const std::vector<std::string>& k
 /// @brief Returns the known names, nearest to the given one first.
 std::vector<std::string> sortedByNearness(std::string_view given, std::vector<std::string> known);
 
-/// @brief Returns the names, each with a prefix, separated by commas; of very many, or very long ones, not all.
-std::string joinNames(const std::vector<std::string>& names, const std::string& prefix = "");
+/// @brief Returns the names, each with a prefix, separated by commas. Very long ones are shortened.
+/// @param most number of names beyond which the others are only counted
+std::string joinNames(const std::vector<std::string>& names, const std::string& prefix = "", std::size_t most = 200);
 
 /// @brief Returns "a, b or c".
 std::string joinAlternatives(const std::vector<std::string>& names);

@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* SCENARIO_EXTENSION = ".yaml";
+constexpr std::size_t NAMES_IN_ERROR = 12;  // the nearest ones
 
 bool isFolder(const fs::path& path) {
   std::error_code ignored;
@@ -85,7 +86,8 @@ std::string asGiven(const std::string& name, const fs::path& path, bool is_bare)
   std::string text = "no scenario " + inQuotes(path.string()) + (hint.empty() ? ": there" : hint + " There");
   text += " is no file " + fs::absolute(file).lexically_normal().string();
   if (is_bare) text += ", and in " + folder.string() + " none of that name";
-  if (!names.empty()) text += "; there " + std::string(names.size() == 1 ? "is " : "are ") + joinNames(names);
+  if (!names.empty())
+    text += "; there " + std::string(names.size() == 1 ? "is " : "are ") + joinNames(names, "", NAMES_IN_ERROR);
   throw InputError(text);
 }
 
