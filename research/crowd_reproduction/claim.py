@@ -24,7 +24,7 @@ class Claim(typing.NamedTuple):
     says: str  # quotation or summary of the thesis
     judge: typing.Callable  # takes the Setting, returns a Judgement
     reasons: dict = {}  # known reasons, by verdict
-    readings: tuple = ()  # those under which it is judged
+    readings: typing.Optional[list] = None  # those under which it is judged; None: all
 
 
 def all_of(judges):

@@ -18,12 +18,12 @@ OTHERS = list(READINGS)[1:]
 def claims_of(entries):
     return [Claim(entry['section'], entry['says'],
                   all_of([(JUDGES[judge], words) for judge, *words in entry['judges']]), entry.get('reasons', {}),
-                  entry.get('readings', list(READINGS))) for entry in entries]
+                  entry.get('readings')) for entry in entries]
 
 
 def judge(setting, claims):
     """Returns the Judgements on claims, a list for each reading; None where a claim is not judged under a reading."""
-    return {reading: [claim.judge(Reading.of(setting, reading)) if reading in claim.readings else None
+    return {reading: [claim.judge(Reading.of(setting, reading)) if reading in (claim.readings or READINGS) else None
                       for claim in claims] for reading in READINGS}
 
 
@@ -39,9 +39,8 @@ def add_claims(chapter, claims, found):
     """Adds the tables of verdicts with one number each, and of all that was measured; and phrases for the page."""
     rows = list(zip(claims, *found.values()))
     chapter.tabulate('tally', ['reading', *VERDICTS], [
-        [READINGS[reading]['label'], *(str(count) for count in counts_of(
-            [judgement for claim, judgement in zip(claims, judgements) if len(claim.readings) == len(READINGS)]))]
-        for reading, judgements in found.items()])
+        [READINGS[reading]['label'], *map(str, counts_of(judgements))]
+        for reading, judgements in zip(found, zip(*(row for _, *row in rows if None not in row)))])
     chapter.tabulate('verdicts', ['section', 'claim of the thesis', 'verdict', 'number', 'with other readings'], [
         [claim.section, claim.says, first.verdict, first.number,
          readings_text(first, others)]

@@ -134,6 +134,19 @@ class ClaimTest:
             'tally': 'Of 2 claims and expectations of the thesis: 1 confirmed, 0 partly confirmed, 1 not confirmed.',
             'never': '\n- it fits (4.2)\n'}
 
+    def test_readings_without_runs(self):
+        chapter = Report('claims', results.TEXTS, None)
+        confirmed = claim.Judgement('5 of 8', claim.CONFIRMED, '5')
+        denied = claim.Judgement('0 of 8', claim.NOT_CONFIRMED, '0')
+        found = {'fading_uneven': [denied], 'fading': [None], 'uneven': [None], 'constant': [confirmed]}
+        claims.add_claims(chapter, [claim.Claim('5.2', 'it helps', None)], found)
+        tally, verdicts, measured = chapter.tables()
+        assert not tally.rows
+        assert verdicts.rows[0][4] == ('confirmed: constant epsilon. not measured: fading epsilon; constant epsilon, '
+                                       'uneven sectors')
+        assert measured.rows[0][4:] == ['not measured', 'not measured', 'confirmed: 5']
+        assert chapter.phrases['never'] == '\n'
+
     def test_numbers(self):
         # 4 and 8: mean 6, standard deviation sqrt(8); differences 1, 3: sqrt(2); pairs without one are left out.
         assert claim.number_text([4.0, 8.0]) == '6.0 ± 2.8 %, 2 seeds'
