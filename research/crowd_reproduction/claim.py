@@ -29,10 +29,10 @@ class Claim(typing.NamedTuple):
 
 def all_of(judges):
     """Returns a judge of a claim with several parts: functions of the Setting and of further arguments."""
-    return lambda setting: joined([part(setting, *words) for part, words in judges], '. ', shown=2)
+    return lambda setting: joined([part(setting, *words) for part, words in judges], '. ')
 
 
-def joined(parts, separator, before='', shown=1):
+def joined(parts, separator, before='', shown=2):
     """Returns the Judgement on a claim with several parts, with the numbers of the first ones."""
     return Judgement(before + separator.join(part.measured for part in parts),
                      decide_all(*(part.verdict for part in parts)), '; '.join(part.number for part in parts[:shown]))

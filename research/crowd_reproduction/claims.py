@@ -41,7 +41,8 @@ def add_claims(chapter, claims, found):
     chapter.tabulate('tally', ['reading', *VERDICTS], [
         [READINGS[reading]['label'], *map(str, counts_of(judgements))]
         for reading, judgements in zip(found, zip(*(row for _, *row in rows if None not in row)))])
-    chapter.tabulate('verdicts', ['section', 'claim of the thesis', 'verdict', 'number', 'with other readings'], [
+    verdict = f"verdict ({READINGS[LEAD]['label']})"
+    chapter.tabulate('verdicts', ['section', 'claim of the thesis', verdict, 'number', 'with other readings'], [
         [claim.section, claim.says, first.verdict, first.number,
          readings_text(first, others)]
         for claim, first, *others in rows])

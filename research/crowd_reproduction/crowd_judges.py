@@ -151,9 +151,10 @@ def varied_speeds(setting):
 
 def suddenly_surrounded(setting):
     """Judges whether agents at varied speeds are surrounded, more than at one speed."""
-    varied, steady = ([one.per_thousand() for one in surrounded(agents(setting), scenario)]
-                      for scenario in (OBSTRUCTED, 'circle12'))
-    return compared('decisions while surrounded, per 1,000: ', 'varied speeds', varied, 'one speed', steady)
+    varied, steady, obstructed = ([one.per_thousand() for one in surrounded(agents(setting), scenario)]
+                                  for scenario in ('circle12_varied', 'circle12', OBSTRUCTED))
+    whole = compared('decisions while surrounded, per 1,000: ', 'varied speeds', varied, 'one speed', steady)
+    return whole._replace(measured=f'{whole.measured}; varied speeds and an obstacle {Spread(obstructed).text()}')
 
 
 def ventures_inside(setting):
@@ -184,7 +185,7 @@ def surrounded_touch(setting):
                      f'{versus("surrounded", inside, "not surrounded", outside, 1)}; of the agents that were ever '
                      f'surrounded, {share_of_agents.text(1)} % then have a contact',
                      graded(inside),
-                     f'contact {number_text(inside)}')
+                     f'contact within {SOON} decisions {number_text(inside)}')
 
 
 def experience_serves(setting):
@@ -210,7 +211,8 @@ def versatile(setting):
     return Judgement(f'success %: {", ".join(texts)}',
                      decide_all(*(CONFIRMED if is_good(success.mean()) else NOT_CONFIRMED
                                   for success in found.values())),
-                     f'at least {GOOD:g} % arrive in {fine} of {len(found)} scenarios')
+                     f'at least {GOOD:g} % arrive in {fine} of {len(found)} scenarios, '
+                     f'{len(agents(setting).seeds())} seeds')
 
 
 def occlusion_saves(setting):

@@ -108,10 +108,11 @@ def surrounded(runs, scenario, instances=numpy.inf):
     found = []
     record = runs.record(record_file(scenario), scenario)
     arrivals = record[record['arrived'] > 0]
+    obstacle = OBSTACLE_RADIUS if scenario == OBSTRUCTED else None
     for seed in runs.seeds():
         decisions, there = runs.decisions(seed, scenario), arrivals[arrivals['seed'] == seed]
         found.append(measures.surrounded(decisions[decisions['instance'] < instances],
-                                         set(zip(there['episode'], there['agent'])), LEAST_SECTORS, SOON))
+                                         set(zip(there['episode'], there['agent'])), LEAST_SECTORS, SOON, obstacle))
     return found
 
 

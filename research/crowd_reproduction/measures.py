@@ -120,13 +120,16 @@ def share(part, whole):
     return 100.0 * part / whole if whole else float('nan')
 
 
-def with_outcomes(decisions, ticks):
-    """Returns decisions with the columns contact and collision: whether the agent has one within the next ticks."""
+def with_outcomes(decisions, ticks, obstacle=None):
+    """Returns decisions with the columns contact and collision: whether the agent has one within the next ticks, with
+    another agent or with an obstacle of this radius [m] at the origin."""
     def of_instance(rows):
         place = rows['tick'].to_numpy(), rows['agent'].to_numpy()
         places = numpy.full((place[0].max() + 1, place[1].max() + 1, 2), numpy.nan)
         places[place] = rows[['x', 'y']]
         distances = nearest_distances(places)
+        if obstacle is not None:  # as far as the centre of an agent whose rim is as near
+            distances = numpy.fmin(distances, numpy.hypot(places[..., 0], places[..., 1]) - obstacle + RADIUS)
         return rows.assign(contact=within_next(is_contact(distances), ticks)[place],
                            collision=within_next(is_collision(distances), ticks)[place])
     return pandas.concat([of_instance(rows) for _, rows in decisions.groupby('instance')])
@@ -144,7 +147,7 @@ class Surrounded(typing.NamedTuple):
     outside: tuple
     ever: float  # share of the agents that were ever surrounded [%]; the next two are shares of these
     arrived: float
-    touched: float  # had a contact with an agent within the next ticks after being surrounded
+    touched: float  # had a contact within the next ticks after being surrounded
     longest: int  # [ticks] without interruption
 
     def per_thousand(self):
@@ -152,9 +155,10 @@ class Surrounded(typing.NamedTuple):
         return 10.0 * share(self.inside[0], self.inside[0] + self.outside[0])
 
 
-def surrounded(decisions, arrived, least_sectors, ticks):
-    """Returns a Surrounded. Arrived: a set of (instance, agent); ticks: those within which a contact counts."""
-    rows = with_outcomes(decisions, ticks)
+def surrounded(decisions, arrived, least_sectors, ticks, obstacle=None):
+    """Returns a Surrounded. Arrived: a set of (instance, agent); ticks: those within which a contact counts; obstacle:
+    see with_outcomes()."""
+    rows = with_outcomes(decisions, ticks, obstacle)
     rows['inside'] = rows['sectors'] >= least_sectors
     inside = rows[rows['inside']]
     touched = inside.groupby(['instance', 'agent'])['contact'].any()

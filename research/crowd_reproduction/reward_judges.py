@@ -94,7 +94,7 @@ def separation(setting, reward):
     flags = [flag for success, flag in found if 100.0 * LEAST_SIDE <= success <= 100.0 * (1.0 - LEAST_SIDE)]
     return Judgement(f'{REWARD_NAMES[reward]}: in {sum(flags)} of the {len(flags)} seeds with success between 5 and '
                      '95 %', decide(numpy.mean(flags or [0.0]) > 0.5, flags or [False]),
-                     f'{REWARD_NAMES[reward]} in {sum(flags)} of {len(flags)} seeds')
+                     f'{REWARD_NAMES[reward]} in {sum(flags)} of {len(flags)} seeds with success 5-95 %')
 
 
 def less_in_demo(setting, reward):

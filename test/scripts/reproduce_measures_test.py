@@ -144,6 +144,15 @@ class SurroundedTest:
         assert (found.arrived, found.touched) == (100.0, 100.0)
         assert found.longest == 2
 
+    def test_surrounded_beside_an_obstacle(self, runner):
+        """An agent 2, 1, 0.62 and 1 m from the middle of an obstacle of 0.4 m: at tick 2 their bodies overlap."""
+        lines = ['instance,tick,agent,x,y,heading,row,action,occupied',
+                 *(f'0,{tick},0,{x},0,0,0,0,' + ' '.join(['0:45:2'] * 7) for tick, x in enumerate((2, 1, 0.62, 1)))]
+        decisions = read_decisions(runner.write('states.csv', '\n'.join(lines) + '\n'))
+        assert measures.surrounded(decisions, set(), 7, 2).inside == (4, 0.0, 0.0)
+        assert measures.surrounded(decisions, set(), 7, 2, 0.4).inside == (4, 50.0, 50.0)
+        assert measures.surrounded(decisions, set(), 7, 2, 0.3).inside == (4, 0.0, 50.0)
+
     def test_by_visits(self, runner):
         # Agent 0 has rows 0 to 3, agent 1 has row 4; the single agent of instance 1 has row 0 and perceives nothing.
         visits = numpy.array([0, 5, 10, 99, 0])

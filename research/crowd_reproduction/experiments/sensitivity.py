@@ -5,7 +5,7 @@ import numpy
 from crowd_experiments import style
 from crowd_experiments.records import Spread
 
-from ..declared import CHOICES, DECLARED, REWARDS, choices_of, chosen
+from ..declared import CHOICES, DECLARED, GROUPS, REWARDS, choices_of, chosen
 from ..results import REWARD_COLOURS, REWARD_NAMES, Runs, report_of
 from ..reward_measures import MODES, THESIS_SUCCESS
 
@@ -25,8 +25,8 @@ def values_of(setting, variation, cell):
 
 
 def report(setting):
-    chapter = report_of(NAME, setting, 10, chosen='; '.join(f"{choice['name']}: {chosen(setting, choice)}"
-                                                            for choice in DECLARED['choices']))
+    ours = '; '.join(f"{choice['name']}: {chosen(setting, choice)}" for choice in DECLARED['choices'])
+    chapter = report_of(NAME, setting, GROUPS[NAME]['seeds'], chosen=ours)
     add_figure(chapter, setting)
     reported = [f'{THESIS_SUCCESS[reward, mode]:.2f}' if measure == 'success' else ''
                 for measure, mode, reward in CELLS]
