@@ -17,8 +17,7 @@ SIZE = '1280x800x24'
 PATIENCE = 120.0  # [s]
 PERIOD = 0.2  # [s] between two looks
 RVIZ = pathlib.Path(__file__).resolve().parents[2] / 'rviz' / 'social_crowd.rviz'
-SMOOTH = 'anti_aliasing:=true'
-CROWD = 'scenario:=circle6_obstacle', 'paused:=true', 'mode:=training', 'epsilon:=0.05', SMOOTH
+CROWD = 'scenario:=circle6_obstacle', 'paused:=true', 'mode:=training', 'epsilon:=0.05'
 TICKS = 25  # walked before a picture
 # Places on the screen with the window of rviz/social_crowd.rviz [pixels].
 DRAW_WALL, WALL = (690, 42), ((580, 300), (1050, 270))
@@ -92,7 +91,7 @@ class Desk:
 
     def last_words(self):
         """Returns the end of what roslaunch and its nodes have written."""
-        return '\n'.join(pathlib.Path(self.log).read_text(encoding='utf-8', errors='replace').splitlines()[-10:])
+        return '\n'.join(pathlib.Path(self.log).read_text(encoding='utf-8', errors='replace').splitlines()[-40:])
 
     def call(self, service, request):
         self.wait_for(['rosservice', 'call', service, request], f'the service {service}', 'success: True')
@@ -135,14 +134,14 @@ def panel_and_tools(folder):
 
 def values(folder):
     """Takes a picture of the values of an agent's moves. Yields its file."""
-    with Desk('scenario:=circle6_obstacle', 'paused:=true', SMOOTH) as desk:
+    with Desk('scenario:=circle6_obstacle', 'paused:=true') as desk:
         desk.call('/crowd_controller/step', str(TICKS))
         yield desk.take(folder / 'rviz_values.png', seconds=5.0, crop=VALUES_CROP)
 
 
 def thesis(folder):
     """Takes a picture of a crowd with the thesis's second state set. Yields its file."""
-    with Desk(SMOOTH, launch='thesis.launch') as desk:
+    with Desk(launch='thesis.launch') as desk:
         desk.wait_for(['cat', desk.log], 'the end of the training', 'the crowd walks')
         desk.call('/crowd_controller/pause', 'true')
         desk.call('/crowd_controller/reset', '{keep_seed: true}')
@@ -159,7 +158,7 @@ def floor(file, scenario, view, ticks):
     with tempfile.TemporaryDirectory(prefix='social_crowd_screenshots_') as configurations:
         configuration = pathlib.Path(configurations) / 'people.rviz'
         configuration.write_text(yaml.safe_dump(settings, sort_keys=False), encoding='utf-8')
-        with Desk(f'scenario:={scenario}', 'paused:=true', f'view:={configuration.with_suffix("")}', SMOOTH) as desk:
+        with Desk(f'scenario:={scenario}', 'paused:=true', f'view:={configuration.with_suffix("")}') as desk:
             desk.call('/crowd_markers/choose_agent', 'agent: -1')
             desk.call('/crowd_controller/step', str(ticks))
             return desk.take(file, seconds=5.0, crop=PEOPLE_CROP)

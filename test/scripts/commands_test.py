@@ -97,7 +97,7 @@ class ToolTest:
             self.refuse(runner, 2, words, program, *given, '--seed', -1)
 
     def test_missing_files(self, runner):
-        words = ['table.txt: cannot be read: No such file', os.path.join(runner.folder, 'table.txt')]
+        words = ["no Q-table 'table.txt': there is no file " + os.path.join(runner.folder, 'table.txt'), 'anticipation']
         self.refuse(runner, 1, words, 'evaluate', '--q-table', 'table.txt', 'circle6')
         words = ['config.yaml: cannot be read', os.path.join(runner.folder, 'config.yaml')]
         self.refuse(runner, 1, words, 'train', 'config.yaml', '--output', 'new.txt')

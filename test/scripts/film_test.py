@@ -97,7 +97,7 @@ class ProgramTest:
         (2, ['--output', 'a.gif', '--trajectories', 'a.csv', '--seed', '3'], ['--seed: a recording is not walked']),
         (2, ['--output', 'a.gif', '--trajectories', 'a.csv', '--q-table', 'a'], ['--q-table: a recording is not']),
         (2, ['circle6', '--output', 'a.gif', '--fps', 'many'], ["expected a number above 0, got 'many'"]),
-        (1, ['circle6', '--output', 'a.gif', '--q-table', 'none.txt'], ['none.txt: cannot be read']),
+        (1, ['circle6', '--output', 'a.gif', '--q-table', 'none.txt'], ["no Q-table 'none.txt'"]),
         (1, ['circle6', '--output', 'a.gif', '--trajectories', 'none.csv'], ['none.csv', 'No such file']),
         (1, ['circle6', '--output', 'a.gif', '--start', '900'], ['--start: the recording ends at', '900']),
     ])
