@@ -43,8 +43,7 @@ def add_claims(chapter, claims, found):
         for reading, judgements in zip(found, zip(*(row for _, *row in rows if None not in row)))])
     verdict = f"verdict ({READINGS[LEAD]['label']})"
     chapter.tabulate('verdicts', ['section', 'claim of the thesis', verdict, 'number', 'with other readings'], [
-        [claim.section, claim.says, first.verdict, first.number,
-         readings_text(first, others)]
+        [claim.section, claim.says, first.verdict, first.number, readings_text(first, others)]
         for claim, first, *others in rows])
     chapter.tabulate('measured', ['section', 'claim of the thesis', 'measured', 'reason, if known', *(
         READINGS[reading]['label'] for reading in OTHERS)], [

@@ -18,8 +18,8 @@ EXAMPLE = '''example:
   research/occlusion_time
 
 For each radius of vision one agent learns with state set 2 of the thesis. Crowds then walk with its table, with and
-without occlusion in turn. Prints a row for each crowd: microseconds for a decision with its part of a tick and
-their ratio; medians of all rounds.'''
+without occlusion in turn. Prints a row for each crowd: processor time of a tick divided by its decisions [us],
+and the ratio; medians of all rounds.'''
 
 
 def main(words=None):

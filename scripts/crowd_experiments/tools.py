@@ -45,7 +45,7 @@ def find_table(name_or_file):
 
 def find_evaluation(arguments):
     """Returns the program evaluate and the Q-table that the options --tools and --q-table name."""
-    q_table = (arguments.q_table or find_config() / 'q_tables' / 'anticipation.txt').absolute()
+    q_table = find_table(arguments.q_table or 'anticipation').absolute()
     if not q_table.is_file():
         raise RunError(f'{q_table}: there is no such Q-table')
     return find_tools(arguments.tools) / 'evaluate', q_table

@@ -1,6 +1,7 @@
 #include "robot_means.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "common/text/numbers.h"
@@ -8,7 +9,7 @@
 namespace crowd {
 namespace {
 
-constexpr std::size_t NAME_WIDTH = 33;
+constexpr std::size_t NAME_WIDTH = 33;  // of the longest name, and a space
 constexpr int DECIMALS = 3;
 
 std::string spreadText(const std::vector<double>& values) {
@@ -20,6 +21,11 @@ std::string spreadText(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+std::string measureLine(const std::string& name, const std::string& value, const std::string& unit) {
+  const std::size_t gap = NAME_WIDTH - std::min(NAME_WIDTH - 1, name.size());
+  return "  " + name + std::string(gap, ' ') + value + (unit.empty() ? "" : " " + unit) + "\n";
+}
 
 void RobotMeans::add(const RobotResult& robot) {
   std::size_t place = 0;
@@ -40,10 +46,8 @@ std::string RobotMeans::text() const {
   for (const Measure& measure : measures_) {
     const std::size_t count = measure.values.size();
     if (count == 0) continue;
-    const std::size_t gap = NAME_WIDTH - std::min(NAME_WIDTH - 1, measure.name.size());
-    text += "  " + measure.name + std::string(gap, ' ') + spreadText(measure.values);
-    if (!measure.unit.empty()) text += " " + measure.unit;
-    text += static_cast<int>(count) < robots_ ? ", of " + std::to_string(count) + "\n" : "\n";
+    const std::string missing = static_cast<int>(count) < robots_ ? " of " + std::to_string(count) : "";
+    text += measureLine(measure.name, spreadText(measure.values) + missing, measure.unit);
   }
   return text;
 }

@@ -7,6 +7,9 @@
 
 namespace crowd {
 
+/// @brief A line with a measure of robots: name, value and unit.
+std::string measureLine(const std::string& name, const std::string& value, const std::string& unit);
+
 /// @brief Means of the measures of robots over episodes.
 class RobotMeans {
  public:

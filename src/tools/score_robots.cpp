@@ -41,8 +41,7 @@ void print(const EpisodeResult& episode, std::uint64_t number, const RobotResult
   RobotResult::visitMeasures(
       [](const MetricName& metric, const auto& value) {
         if (std::isnan(static_cast<double>(value))) return;
-        std::cout << "  " << metric.name << std::string(33 - std::min<std::size_t>(32, std::string(metric).size()), ' ')
-                  << toField(value) << (*metric.unit == '\0' ? "" : " ") << metric.unit << "\n";
+        std::cout << measureLine(metric, toField(value), metric.unit);
       },
       robot);
 }
