@@ -32,8 +32,8 @@ except ImportError:
             self._np_random = numpy.random.default_rng(seed)
             return seed
 
-        def __contains__(self, value):
-            return self.contains(value)
+        def __contains__(self, x):
+            return self.contains(x)
 
     class Box(Space):
         """Arrays of a shape and a dtype between two bounds, which belong to it."""
