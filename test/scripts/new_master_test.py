@@ -1,7 +1,11 @@
 """A ROS master that ends, and a new one at its place: nodes go on, and register with the new one."""
 import os
+import select
 import signal
+import socket
+import socketserver
 import subprocess
+import threading
 import xmlrpc.client
 
 import pytest
@@ -118,6 +122,47 @@ def assert_no_answer_lost(controller):
     lines = episodes(controller)
     assert [line for line in lines if NO_ANSWER_LOST not in line] == []
     assert 'no answer' not in controller.output()
+
+
+class ClosingProxy(socketserver.ThreadingTCPServer):
+    """Stands between nodes and a ROS master, and closes the connections of the first reads of parameters."""
+    daemon_threads = True
+
+    def __init__(self, master_uri, closes):
+        super().__init__(('127.0.0.1', 0), self.Connection)
+        self.master = ('127.0.0.1', int(master_uri.rsplit(':', 1)[1]))
+        self.closes = closes
+        self.uri = f'http://127.0.0.1:{self.server_address[1]}'
+        threading.Thread(target=self.serve_forever, daemon=True).start()
+
+    class Connection(socketserver.BaseRequestHandler):
+        """Passes bytes on in both directions."""
+
+        def handle(self):
+            with socket.create_connection(self.server.master) as master:
+                others = {self.request: master, master: self.request}
+                while True:
+                    for source in select.select(list(others), [], [])[0]:
+                        data = source.recv(65536)
+                        if b'getParam<' in data and self.server.closes > 0:
+                            self.server.closes -= 1
+                            return
+                        if not data:
+                            return
+                        others[source].sendall(data)
+
+
+class ReadParametersTest:
+    """Parameters of a node that starts."""
+
+    def test_a_call_that_fails_is_no_missing_parameter(self, desk):
+        with ClosingProxy(desk.uri, closes=5) as proxy:
+            desk.environment['ROS_MASTER_URI'] = proxy.uri
+            learner = desk.start_learner(mode='training')
+            wait_for(lambda: 'what is learned will not be saved' in learner.output(), 'the mode of training')
+            assert proxy.closes == 0
+            learner.stop()
+            proxy.shutdown()
 
 
 class NewMasterTest:

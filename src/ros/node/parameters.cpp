@@ -70,11 +70,34 @@ bool isEmptyText(XmlRpcValue& value) {
   return value.getType() == XmlRpcValue::TypeString && static_cast<std::string&>(value).empty();
 }
 
+/// Calls a function of the master that has the name of a parameter, and waits for the master if it is away.
+XmlRpcValue askMaster(const std::string& function, const std::string& name) {
+  XmlRpcValue request;
+  XmlRpcValue response;
+  XmlRpcValue answer;
+  request[0] = ros::this_node::getName();
+  request[1] = name;
+  if (!ros::master::execute(function, request, response, answer, true)) {
+    throw Error("the parameters of " + name + " could not be read: the ROS master does not answer");
+  }
+  return answer;
+}
+
+/// Returns all parameters of a namespace, a struct; something else if there are none.
+XmlRpcValue readNamespace(const std::string& name) {
+  XmlRpcValue exists = askMaster("hasParam", name);
+  return static_cast<bool&>(exists) ? askMaster("getParam", name) : XmlRpcValue();
+}
+
 }  // namespace
+
+Parameters::Parameters(const ros::NodeHandle& private_node)
+    : namespace_(private_node.getNamespace()), values_(readNamespace(namespace_)) {}
 
 XmlRpcValue* Parameters::find(const std::string& name) {
   asked_.insert(name);
-  return node_.getParam(name, value_) && !isEmptyText(value_) ? &value_ : nullptr;
+  const bool is_set = values_.getType() == XmlRpcValue::TypeStruct && values_.hasMember(name);
+  return is_set && !isEmptyText(values_[name]) ? &values_[name] : nullptr;
 }
 
 XmlRpcValue* Parameters::find(const std::string& name, const std::string& expected, const std::string& otherwise) {
@@ -159,14 +182,10 @@ std::optional<std::string> Parameters::map(const std::string& name) {
   return text;
 }
 
-std::set<std::string> Parameters::findUnknown() const {
-  const std::string prefix = node_.getNamespace() + "/";
-  std::vector<std::string> names;
-  node_.getParamNames(names);
+std::set<std::string> Parameters::findUnknown() {
   std::set<std::string> unknown;
-  for (const std::string& full : names) {
-    if (full.compare(0, prefix.size(), prefix) != 0) continue;
-    const std::string name = full.substr(prefix.size(), full.find('/', prefix.size()) - prefix.size());
+  if (values_.getType() != XmlRpcValue::TypeStruct) return unknown;
+  for (const auto& [name, value] : values_) {
     if (asked_.count(name) == 0) unknown.insert(name);
   }
   return unknown;
@@ -177,8 +196,7 @@ void Parameters::noteUnknown() {
   const auto problem = [&](const std::string& name) {
     const std::string hint = didYouMean(name, known, "~");
     return "there is no such parameter" + (hint.empty() ? "; there are " : hint + " There are ") +
-           joinNames(known, "~") + ". It may be left from an earlier start: rosparam delete " + node_.getNamespace() +
-           "/" + name;
+           joinNames(known, "~") + ". It may be left from an earlier start: rosparam delete " + namespace_ + "/" + name;
   };
   for (const std::string& name : findUnknown()) {
     complain(name, problem(name));
@@ -192,7 +210,7 @@ void Parameters::finish() {
   noteUnknown();
   for (const auto& [name, what] : missing_) complain(name, what);
   if (problems_.empty()) return;
-  std::string text = "bad parameters of " + node_.getNamespace() + ":";
+  std::string text = "bad parameters of " + namespace_ + ":";
   for (const std::string& problem : problems_) text += "\n  " + problem;
   throw InputError(text);
 }

@@ -20,7 +20,10 @@ constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 /// unknown private parameter is an error, too.
 class Parameters {
  public:
-  explicit Parameters(const ros::NodeHandle& private_node) : node_(private_node) {}
+  /// @brief Reads all parameters in one call, so that the values belong together, and a call that fails is not taken
+  /// for a parameter that is not set. Waits for the master if it is away.
+  /// @throws Error if the node shuts down before the master answers
+  explicit Parameters(const ros::NodeHandle& private_node);
 
   /// @brief Returns the parameter, or the default if it is not set or invalid (then noted). An empty text, which a
   /// launch file sets for an empty argument, counts as not set.
@@ -53,15 +56,15 @@ class Parameters {
   /// Finds a parameter, as above, and notes what is expected and the default.
   XmlRpc::XmlRpcValue* find(const std::string& name, const std::string& expected, const std::string& otherwise);
   void expect(const std::string& name, const std::string& expected, XmlRpc::XmlRpcValue& got);
-  std::set<std::string> findUnknown() const;
+  std::set<std::string> findUnknown();
   void noteUnknown();
 
-  ros::NodeHandle node_;
+  std::string namespace_;
+  XmlRpc::XmlRpcValue values_;
   std::set<std::string> asked_;
   std::map<std::string, std::string> descriptions_;  // by name
   std::vector<std::string> problems_;
   std::map<std::string, std::string> missing_;  // error, by name
-  XmlRpc::XmlRpcValue value_;
 };
 
 }  // namespace crowd
