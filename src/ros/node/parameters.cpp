@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "common/stop_request.h"
 #include "common/text/numbers.h"
 #include "common/text/quotes.h"
 #include "common/text/suggestions.h"
@@ -77,9 +78,9 @@ XmlRpcValue askMaster(const std::string& function, const std::string& name) {
   XmlRpcValue answer;
   request[0] = ros::this_node::getName();
   request[1] = name;
-  if (!ros::master::execute(function, request, response, answer, true)) {
-    throw Error("the parameters of " + name + " could not be read: the ROS master does not answer");
-  }
+  const bool is_answered = ros::master::execute(function, request, response, answer, true);
+  if (ros::isShuttingDown()) throw Stopped();
+  if (!is_answered) throw Error("the parameters of " + name + " were deleted while they were read");
   return answer;
 }
 

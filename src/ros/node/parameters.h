@@ -22,7 +22,7 @@ class Parameters {
  public:
   /// @brief Reads all parameters in one call, so that the values belong together, and a call that fails is not taken
   /// for a parameter that is not set. Waits for the master if it is away.
-  /// @throws Error if the node shuts down before the master answers
+  /// @throws Stopped if ROS shuts down before the master answers
   explicit Parameters(const ros::NodeHandle& private_node);
 
   /// @brief Returns the parameter, or the default if it is not set or invalid (then noted). An empty text, which a
