@@ -34,6 +34,7 @@ Scene randomScene(std::uint64_t seed, KeyedRandom& random) {
   Scene scene = scenes::solidCrowd(seed, agents, 2.5, seed % 3 == 0 ? 1 : 0);
   scene.contact = Contact::GHOST;  // nothing but the rule keeps bodies apart
   scene.tick_duration = random.uniform(0.05, 0.25);
+  if (seed % 3 == 1) scene.obstacles.clear();  // agents among agents are decided in another way
   if (seed % 4 != 0) return scene;
   RobotStart robot = robots::robot(scenes::randomPoint(random, 2.5), random.uniform(-PI, PI));
   robot.limits = {random.uniform(0.2, 2.0), random.uniform(0.2, 2.0), random.uniform(0.2, 4.0), 3.0, 0.8};

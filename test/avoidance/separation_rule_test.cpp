@@ -40,6 +40,13 @@ TEST(SeparationRule, AllowsTheWholeGapToStaticObstaclesAndWalls) {
   EXPECT_NEAR(shareAhead(GapSharing::HALF, before_wall), 0.5, 1e-6);
 }
 
+TEST(SeparationRule, ConsidersAllNeighboursOfACrowd) {
+  // Thirty bodies behind the agent, which limit nothing, are nearer than the one ahead.
+  auto crowd = PerceptionsBuilder().agent(0, {5.0, 0.0});
+  for (int i = 0; i < 30; ++i) crowd.neighbour(polar(120.0 + 4.0 * i, 0.3), 0.05);
+  EXPECT_NEAR(shareAhead(GapSharing::HALF, crowd.neighbour({0.53, 0.0}, 0.25)), 0.5, 1e-6);
+}
+
 TEST(SeparationRule, LimitsTheComponentTowardsTheOtherAgent) {
   const auto moves = cut(SeparationRule(GapSharing::HALF, LOOKOUT), facing(0.006).perception(),
                          {{unitVector(toRadians(60.0)), 1.0, 1.0}, {unitVector(toRadians(90.0)), 1.0, 1.0}});
