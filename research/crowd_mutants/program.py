@@ -23,7 +23,7 @@ Examples:
   research/mutants --folder /tmp/mutants
   research/mutants --folder /tmp/mutants --only whole_gap_to_agents
 '''
-# Only the core is built, quickly. Files with mutants are compiled alone, with precompiled headers in a fifth of the time.
+# Only the core is built, quickly. Files with mutants are compiled alone; precompiled headers save most of the time.
 CMAKE = '''cmake_minimum_required(VERSION 3.16)
 project(social_crowd CXX)
 set(BUILD_SHARED_LIBS ON)
