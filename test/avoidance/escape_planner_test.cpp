@@ -56,6 +56,8 @@ TEST(EscapePlanner, LeavesThePathOfAMovingObstacleAtTheLastSafeTick) {
     EXPECT_EQ(move.fraction, 1.0);
     EXPECT_LT(move.direction.y(), -0.3);
   }
+  const Moves mirrored = movesIn(moving_obstacle({0.36, -0.45}, {-1.0, 0.0}));
+  EXPECT_GT(mirrored.stay.direction.y(), 0.3);
   const Moves early = movesIn(moving_obstacle({0.56, 0.45}, {-1.0, 0.0}));
   EXPECT_EQ(early.stay.fraction, 0.0);
 }
@@ -67,6 +69,7 @@ TEST(EscapePlanner, DelaysTheContactIfNoPathStaysClear) {
   EXPECT_LT(moves.ahead.direction.x(), 0.0);
   EXPECT_LT(moves.stay.direction.x(), 0.0);
   EXPECT_EQ(moves.stay.fraction, 1.0);
+  EXPECT_NEAR(moves.stay.direction.x(), -1.0, 1e-9);  // 0.69 s; with 22.5 degrees to a side less
 }
 
 TEST(EscapePlanner, AllowsForAReversalOfAMovingObstacle) {

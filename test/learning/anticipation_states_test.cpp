@@ -140,6 +140,7 @@ TEST(AnticipationStates, EachRowIsOneCombinationOfClasses) {
   }
   EXPECT_EQ(std::count(taken.begin(), taken.end(), true), 6144);
   EXPECT_EQ(states().rowCount(), 6144U);
+  EXPECT_EQ(rowOf({NEVER, NEVER, NEVER, 1.0, 1.0, 1.5}), rowOf(Features()) + 1);  // the approach is the last digit
 }
 
 TEST(AnticipationStates, FindsARowForEachMove) {

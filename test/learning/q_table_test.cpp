@@ -141,6 +141,8 @@ TEST(QTable, LooksUpEachActionInItsOwnRow) {
   table.set(0, 1, 1.0, 1);
   EXPECT_EQ(table.greedyAction({rows.data(), 1}), 2U);
   EXPECT_EQ(table.greedyValue({rows.data(), 1}), 1.5);
+  table.set(3, 2, 1.0, 1);
+  EXPECT_EQ(table.greedyAction({rows.data(), 1}), 0U);  // the first of equal values
 }
 
 TEST(QTable, FindsTheHighestValueAtAnyPosition) {
