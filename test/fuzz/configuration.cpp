@@ -1,0 +1,11 @@
+// Training configurations.
+
+#include "fuzz/fuzz.h"
+#include "training/training_config.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace crowd;
+  static fuzz::MemoryFile file;
+  const std::string name = file.write(fuzz::textOf(data, size));
+  return fuzz::feed(size, 1000, [&] { readTrainingConfig(name).model.spec(); });
+}

@@ -1,0 +1,11 @@
+// Recordings of people: CSV, the text of JuPedSim, obsmat.txt.
+
+#include "fuzz/fuzz.h"
+#include "scenario/reading/recording_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace crowd;
+  static fuzz::MemoryFile file;
+  const std::string name = file.write(fuzz::textOf(data, size));
+  return fuzz::feed(size, 1000, [&] { readRecording(name, std::nullopt); });
+}

@@ -1,0 +1,14 @@
+// Logs of robots, which are read and scored.
+
+#include "robots/log/robot_log_scoring.h"
+
+#include "fuzz/fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace crowd;
+  static fuzz::MemoryFile file;
+  const std::string name = file.write(fuzz::textOf(data, size));
+  LogScoring scoring;
+  scoring.on_episode = [](const RobotLogReplay& replay) { replay.results(); };
+  return fuzz::feed(size, 1000, [&] { scoreRobotLog(name, {}, scoring); });
+}
