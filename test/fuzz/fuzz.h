@@ -1,14 +1,12 @@
 #pragma once
 
 #include <sanitizer/allocator_interface.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <stdexcept>
 #include <string>
 
@@ -53,47 +51,34 @@ class MemoryLimit {
   static inline thread_local std::ptrdiff_t used_ = 0;
 };
 
+/// @brief Time of the processor that this program has used [s]. It does not depend on the load of the machine.
+inline double processorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// @brief Time of the processor that an input may take [s]; with the sanitizers, it is some ten times as long.
+constexpr double MOST_TIME = 10.0;
+
 /// @brief Calls a reader. Errors of the package are its answers to bad inputs; anything else is a finding.
 /// @param size of the input @param multiple of it that may be taken in memory, beside FREE_MEMORY
 template <typename Read>
 int feed(std::size_t size, std::size_t multiple, const Read& read) {
-  const MemoryLimit limit(FREE_MEMORY + multiple * size);
+  const double begin = processorTime();
   try {
+    const MemoryLimit limit(FREE_MEMORY + multiple * size);
     read();
   } catch (const Error&) {
   } catch (const Stopped&) {
   }
+  const double time = processorTime() - begin;
+  if (time > MOST_TIME) throw std::runtime_error("an input takes " + std::to_string(time) + " s");
   return 0;
 }
 
 inline std::string textOf(const std::uint8_t* data, std::size_t size) { return {data, data + size}; }
 
-/// @brief A file in memory, for readers that take its name.
-class MemoryFile {
- public:
-  MemoryFile() : descriptor_(::memfd_create("input", 0)) {
-    if (descriptor_ < 0) throw std::runtime_error("memfd_create failed");
-  }
-  ~MemoryFile() { ::close(descriptor_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  std::string name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-  /// @brief Replaces its content. @return its name
-  std::string write(const std::string& content) {
-    const bool written = ::ftruncate(descriptor_, 0) == 0 && ::pwrite(descriptor_, content.data(), content.size(), 0) ==
-                                                                 static_cast<ssize_t>(content.size());
-    if (!written) throw std::runtime_error(name() + " cannot be written");
-    return name();
-  }
-
- private:
-  int descriptor_;
-};
-
-/// @brief A request that is made after some looks at it: a bound of the work that does not depend on the machine.
-inline StopRequest stopAfter(std::uint64_t looks) {
-  return StopRequest([looks]() mutable { return looks == 0 || --looks == 0; });
+/// @brief A request to stop that is made after this time of the processor [s].
+inline StopRequest stopAfter(double time) {
+  const double end = processorTime() + time;
+  return StopRequest([end] { return processorTime() > end; });
 }
 
 }  // namespace crowd::fuzz
