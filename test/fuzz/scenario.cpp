@@ -1,7 +1,7 @@
 // Scenarios: they are read, their first episode is placed, written again, and walked for some ticks.
 
 #include "fuzz/fuzz.h"
-#include "learning/learner.h"
+#include "fuzz/small_world.h"
 #include "scenario/reading/scenario_reader.h"
 #include "scenario/writing/scene_document.h"
 #include "simulation/episode_runner.h"
@@ -15,12 +15,6 @@ constexpr std::size_t MOST_BODIES = 300;  // that are placed; each takes some me
 constexpr std::uint64_t MOST_TICKS = 5;
 constexpr double PATIENCE = 0.1;  // [s] until the request to stop is made, which must end all work
 
-Learner makeLearner() {
-  return {parseModel("state_set: {type: nearest_obstacle}\naction_set: {type: kings_moves}\n"
-                     "reward: {goal: cosine_cubed, obstacle_cost: 80}\n"),
-          {}};
-}
-
 bool isSmall(const Scenario& scenario) {
   std::size_t bodies = scenario.robots.size();
   for (const AgentGroup& group : scenario.agents) bodies += static_cast<std::size_t>(group.count);
@@ -29,7 +23,7 @@ bool isSmall(const Scenario& scenario) {
 }
 
 void walk(const Scenario& scenario, const StopRequest& stop) {
-  static Learner learner = makeLearner();
+  static Learner learner = fuzz::makeLearner();
   Scene scene = scenario.instantiate(1, 0, stop);
   toDocument(scene, ".");
   scene.max_ticks = std::min(scene.max_ticks, MOST_TICKS);

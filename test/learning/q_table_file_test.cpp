@@ -53,6 +53,20 @@ TEST(QTableText, ReadsTheExpectedText) {
   expectSame(parseQTable(q_table_texts::text(), "table.txt"), q_table_texts::trained());
 }
 
+/// Its rows would take memory, so they are not read.
+TEST(QTableText, ThatDoesNotFitTheExpectedModelIsRefusedBeforeItsRows) {
+  const Model expected = q_table_texts::trained().model;
+  expectSame(parseQTable(q_table_texts::text(), "table.txt", &expected), q_table_texts::trained());
+  std::string large = q_table_texts::text();
+  large.replace(large.find("[180]"), 5, "[45, 180]");
+  const std::size_t rows = large.find("rows: 11");
+  const std::string actual = std::to_string(2 * 3 * 3 * 2 * 2);
+  large.replace(rows, 8, "rows: " + actual);
+  large = large.substr(0, large.find("---\n") + 4) + "no row\n";
+  EXPECT_EQ(errorOf<InputError>([&] { parseQTable(large, "table.txt"); }), "");
+  EXPECT_EQ(errorOf<ShapeError>([&] { parseQTable(large, "table.txt", &expected); }), "");
+}
+
 TEST(QTableText, WritesTiesUnlessTheyAreBrokenByTheFirst) {
   EXPECT_EQ(parseQTable(q_table_texts::text(), "table.txt").parameters.ties, Ties::FIRST);
   TrainedTable trained = q_table_texts::trained();
