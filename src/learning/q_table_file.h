@@ -30,14 +30,15 @@ std::uint64_t maxTextSize(const TrainedTable& trained);
 
 /// @brief Parses the text that toText() wrote; values are restored bit for bit.
 /// @param name name of the file in messages
-/// @throws InputError with the line if anything is invalid, missing, duplicate, out of range or left over
-TrainedTable parseQTable(const std::string& text, const std::string& name);
+/// @param expected a model that the table must fit, which is checked before memory for its rows is taken; null: any
+/// @throws InputError with the line if anything is invalid, missing, duplicate, out of range or left over; ShapeError
+TrainedTable parseQTable(const std::string& text, const std::string& name, const Model* expected = nullptr);
 
 /// @brief Writes a Q-table file atomically: to a temporary file in the same folder, flushed to disk, then renamed. A
 /// failure leaves an existing file unchanged. @throws FileError, InputError as toText() does
 void saveQTable(const std::string& file, const TrainedTable& trained);
 
-/// @brief Reads a Q-table file. @throws FileError, InputError
-TrainedTable loadQTable(const std::string& file, FileKinds kinds = FileKinds::REGULAR);
+/// @brief Reads a Q-table file. @param expected as above @throws FileError, InputError, ShapeError
+TrainedTable loadQTable(const std::string& file, FileKinds kinds = FileKinds::REGULAR, const Model* expected = nullptr);
 
 }  // namespace crowd

@@ -232,10 +232,11 @@ Contributions readSources(LineReader& lines, std::size_t count, SourceId own, co
   return sources;
 }
 
-TrainedTable parseQTable(const std::string& text, const std::string& name) {
+TrainedTable parseQTable(const std::string& text, const std::string& name, const Model* expected_model) {
   LineReader lines(text, name);
   readMagic(lines);
   const Header header = readHeader(lines);
+  if (expected_model != nullptr) requireFit(*expected_model, header.model, name);
   QTable table(header.rows, header.actions);
   readRows(lines, header.visited_rows, table);
   table.setSources(header.source, readSources(lines, header.other_sources, header.source, table));
@@ -247,8 +248,8 @@ TrainedTable parseQTable(const std::string& text, const std::string& name) {
   return {header.model, header.parameters, header.decisions, header.seed, std::move(table)};
 }
 
-TrainedTable loadQTable(const std::string& file, FileKinds kinds) {
-  return parseQTable(readFile(file, FileLimits::Q_TABLE, kinds), file);
+TrainedTable loadQTable(const std::string& file, FileKinds kinds, const Model* expected) {
+  return parseQTable(readFile(file, FileLimits::Q_TABLE, kinds), file, expected);
 }
 
 }  // namespace crowd

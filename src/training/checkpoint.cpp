@@ -135,8 +135,10 @@ void readLearners(LineReader& lines, TrainingState& state) {
 void readOwnTables(LineReader& lines, TrainingState& state) {
   const std::uint64_t tables = readWhole(lines, "own_tables");
   for (std::uint64_t i = 0; i < tables; ++i) {
-    Words words(lines, "an agent and its number of rows");
+    const std::string expected = "an agent above the one before and its number of rows";
+    Words words(lines, expected);
     const auto agent = static_cast<AgentId>(words.nextWhole());
+    if (!state.own.empty() && agent <= state.own.rbegin()->first) lines.fail(expected, std::to_string(agent));
     QTable table(state.table.rows(), state.table.actions());
     readRows(lines, words.nextWhole(), table);
     // Foreign sources do not change in a training.

@@ -206,6 +206,33 @@ TEST(YamlStream, RefusesADocumentThatBeginsWithAComma) {
   EXPECT_EQ(error("word\n...\n  , b\n"), "text: line 3: this is not YAML: a comma out of place");
 }
 
+TEST(YamlStream, ReadsAliases) {
+  const std::vector<YAML::Node> documents = parseYamlStream("a: &a [1, 2]\nb: [*a, *a]\n---\n- &a 3\n- *a\n", "text");
+  ASSERT_EQ(documents.size(), 2U);
+  EXPECT_EQ(documents[0]["b"][1][1].Scalar(), "2");
+  EXPECT_EQ(documents[1][1].Scalar(), "3");
+}
+
+/// Three lists of 100 aliases each stand for a million elements, which readers would store.
+TEST(YamlStream, RefusesAliasesThatMakeMuchOfASmallText) {
+  const auto repeated = [](const std::string& word) {
+    std::string list = "[" + word;
+    for (int i = 1; i < 100; ++i) list += ", " + word;
+    return list + "]";
+  };
+  std::string text = "a: &a " + repeated("1") + "\nb: &b " + repeated("*a") + "\n";
+  EXPECT_EQ(parseYamlStream(text, "text").size(), 1U);
+  text += "c: " + repeated("*b") + "\n";
+  const std::string most = std::to_string(text.size() + 100'000);
+  EXPECT_EQ(errorOf([&] { parseYamlStream(text, "text"); }),
+            "text: line 3: too many aliases: expected at most " + most + " elements in place of them");
+}
+
+TEST(YamlStream, RefusesAnAliasWithinWhatItStandsFor) {
+  EXPECT_EQ(errorOf([&] { parseYamlStream("a: 1\nb: &b [1, *b]\n", "text"); }),
+            "text: line 2: an alias within what it stands for");
+}
+
 TEST(YamlStream, ReadsFlowMapsAndUnusualLines) {
   EXPECT_EQ(parseYamlStream("{a: 1, b: [1, 2]}\n---\na: [1\n  , 2]\n", "text").size(), 2U);
 }

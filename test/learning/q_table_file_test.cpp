@@ -53,6 +53,19 @@ TEST(QTableText, ReadsTheExpectedText) {
   expectSame(parseQTable(q_table_texts::text(), "table.txt"), q_table_texts::trained());
 }
 
+/// Its rows would take memory, so they are not read.
+TEST(QTableText, ThatDoesNotFitTheExpectedModelIsRefusedBeforeItsRows) {
+  const Model expected = q_table_texts::trained().model;
+  expectSame(parseQTable(q_table_texts::text(), "table.txt", &expected), q_table_texts::trained());
+  std::string large = q_table_texts::text();
+  large.replace(large.find("[180]"), 5, "[45, 180]");
+  large.replace(large.find("rows: 11"), 8, "rows: 19");
+  large.replace(large.find("---\n") + 4, std::string::npos, "no row\n");
+  const std::string problem = errorOf<InputError>([&] { parseQTable(large, "table.txt"); });
+  EXPECT_NE(problem.find("expected a row number"), std::string::npos) << problem;
+  EXPECT_THROW(parseQTable(large, "table.txt", &expected), ShapeError);
+}
+
 TEST(QTableText, WritesTiesUnlessTheyAreBrokenByTheFirst) {
   EXPECT_EQ(parseQTable(q_table_texts::text(), "table.txt").parameters.ties, Ties::FIRST);
   TrainedTable trained = q_table_texts::trained();

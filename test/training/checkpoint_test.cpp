@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/files/checksum.h"
 #include "common/files/files.h"
 #include "social_crowd/errors.h"
 #include "support/error_of.h"
@@ -132,6 +133,18 @@ TEST_F(CheckpointTest, RefusesDamagedTexts) {
                        "c.txt: the checkpoint was damaged or cut short"));
   EXPECT_TRUE(contains(errorOf<InputError>([&] { parse("social_crowd Q-table 1\n", training); }),
                        "c.txt: line 1: expected 'social_crowd checkpoint 1'"));
+}
+
+/// Each of them takes the memory of a table, however short its text is.
+TEST_F(CheckpointTest, RefusesTwoTablesOfAnAgent) {
+  const Training training(config("tables: own"));
+  std::string text = checkpointOf(training);
+  text.replace(text.find("own_tables 0\n"), std::string::npos, "own_tables 2\n1 0\n1 0\n");
+  Checksum checksum;
+  checksum.add(text);
+  text += "checksum: " + checksum.text() + "\n";
+  EXPECT_TRUE(contains(errorOf<InputError>([&] { parse(text, training); }),
+                       "expected an agent above the one before and its number of rows, got 1"));
 }
 
 TEST_F(CheckpointTest, NamesTheFirstDifferenceToAnotherTraining) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <sstream>
 
 #include "common/text/quotes.h"
@@ -10,30 +11,75 @@
 namespace crowd {
 namespace {
 
-/// Detects a document that begins at the same position as the previous one.
-class ProgressWatch : public YAML::EventHandler {
+/// The elements that a text may have beyond one for each of its bytes, which only aliases can give.
+constexpr std::size_t MOST_REPEATED = 100'000;
+
+/// Watches a text before it is loaded. Refuses a document that begins at the same position as the previous one, an
+/// alias within what it stands for, and aliases that would make much of a small text.
+class TextWatch : public YAML::EventHandler {
  public:
-  bool isStuck() const { return is_stuck_; }
-  const YAML::Mark& mark() const { return mark_; }
+  TextWatch(const std::string& text, const std::string& name) : most_(text.size() + MOST_REPEATED), name_(name) {}
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    is_stuck_ = mark.pos == mark_.pos;
+    if (mark.pos == mark_.pos) fail(mark, "this is not YAML: a comma out of place");
     mark_ = mark;
+    sizes_.clear();
   }
   void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                const std::string& /*value*/) override {}
-  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                       YAML::EmitterStyle::value /*style*/) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                  YAML::EmitterStyle::value /*style*/) override {}
-  void OnMapEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { addLeaf(mark, anchor); }
+  void OnScalar(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                const std::string& /*value*/) override {
+    addLeaf(mark, anchor);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto size = sizes_.find(anchor);
+    if (size == sizes_.end()) fail(mark, "an alias within what it stands for");
+    add(mark, size->second);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value /*style*/) override {
+    open(mark, anchor);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value /*style*/) override {
+    open(mark, anchor);
+  }
+  void OnMapEnd() override { close(); }
 
  private:
-  bool is_stuck_ = false;
+  struct Open {
+    YAML::anchor_t anchor;
+    std::size_t before;  // number of elements
+  };
+
+  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& problem) const {
+    throwProblem({name_, 0, ""}, mark, problem);
+  }
+  void add(const YAML::Mark& mark, std::size_t count) {
+    count_ += count;
+    if (count_ <= most_) return;
+    fail(mark, "too many aliases: expected at most " + std::to_string(most_) + " elements in place of them");
+  }
+  void addLeaf(const YAML::Mark& mark, YAML::anchor_t anchor) {
+    add(mark, 1);
+    if (anchor != YAML::NullAnchor) sizes_[anchor] = 1;
+  }
+  void open(const YAML::Mark& mark, YAML::anchor_t anchor) {
+    open_.push_back({anchor, count_});
+    add(mark, 1);
+  }
+  void close() {
+    const auto& [anchor, before] = open_.back();
+    if (anchor != YAML::NullAnchor) sizes_[anchor] = count_ - before;
+    open_.pop_back();
+  }
+
+  std::size_t most_;  // number of elements
+  const std::string& name_;
+  std::size_t count_ = 0;                        // of elements, aliases in full
+  std::map<YAML::anchor_t, std::size_t> sizes_;  // of what anchors of the document stand for
+  std::vector<Open> open_;
   YAML::Mark mark_ = YAML::Mark::null_mark();
 };
 
@@ -53,19 +99,17 @@ bool beginsPlainly(const std::string& text) {
   return true;
 }
 
-/// Refuses documents that begin with a comma: yaml-cpp treats them as empty and never advances, so that LoadAll would
-/// exhaust the memory. This check takes as long as reading, and is skipped if no document can begin with a comma.
+/// Refuses texts that would exhaust the memory: aliases may repeat aliases, and yaml-cpp treats documents that begin
+/// with a comma as empty and never advances. This check takes as long as reading, and is skipped if there can be
+/// neither.
 void refuseEndlessText(const std::string& text, const std::string& name) {
-  if (beginsPlainly(text)) {
+  if (beginsPlainly(text) && text.find('*') == std::string::npos) {
     return;
   }
   std::istringstream stream(text);
   YAML::Parser parser(stream);
-  ProgressWatch watch;
+  TextWatch watch(text, name);
   while (parser.HandleNextDocument(watch)) {
-    if (watch.isStuck()) {
-      throwProblem({name, 0, ""}, watch.mark(), "this is not YAML: a comma out of place");
-    }
   }
 }
 

@@ -60,8 +60,8 @@ class CrowdController final : private Decider {
   void advertiseRobotServices();
   void advertiseScenarioServices();
   void advertiseWorldServices();
-  template <typename Service, typename Edit>
-  void serveEdit(const std::string& name, const Edit& edit);
+  template <typename Service>
+  void serveWorld(const std::string& name);
   void addDiagnostics();
   void takeSample();
 

@@ -65,10 +65,9 @@ TakeReport LearnerNode::giveTo(const std::vector<AgentId>& agents, QTable table,
 void LearnerNode::take(const social_crowd::TakeQTable::Request& request, social_crowd::TakeQTable::Response& response) {
   requireFew("to_agents", request.to_agents.size(), MOST_AGENTS);
   const std::string name = "the shared Q-table";
-  const TrainedTable trained = parseQTable(request.q_table, name);
+  const TrainedTable trained = parseQTable(request.q_table, name, &learner_.model());
   const TakeMethod method = request.method.empty() ? on_share_ : TAKE_METHODS.parse(request.method);
   loop_.ask<void>([&] {
-    requireFit(learner_.model(), trained.model, name);
     for (const AgentId agent : request.to_agents) requireServed(agent);
     const TakeReport report = giveTo(request.to_agents, trained.table, method);
     response.taken_by = report.agents();

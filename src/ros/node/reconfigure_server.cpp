@@ -36,15 +36,6 @@ dynamic_reconfigure::Config toMessage(const std::vector<LiveDescription>& parame
   return message;
 }
 
-LiveChanges changesOf(const dynamic_reconfigure::Config& request) {
-  LiveChanges changes;
-  for (const auto& entry : request.bools) changes.emplace_back(entry.name, entry.value != 0);
-  for (const auto& entry : request.ints) changes.emplace_back(entry.name, static_cast<int>(entry.value));
-  for (const auto& entry : request.doubles) changes.emplace_back(entry.name, entry.value);
-  for (const auto& entry : request.strs) changes.emplace_back(entry.name, entry.value);
-  return changes;
-}
-
 /// The lowest or highest value of a parameter. Clients take the limits for permitted values: an open one is moved
 /// inside.
 LiveValue limitOf(const LiveValue& value, const NumberRange& range, bool highest) {
@@ -90,6 +81,15 @@ dynamic_reconfigure::ConfigDescription toDescription(const std::vector<LiveDescr
 }
 
 }  // namespace
+
+LiveChanges changesOf(const dynamic_reconfigure::Config& request) {
+  LiveChanges changes;
+  for (const auto& entry : request.bools) changes.emplace_back(entry.name, entry.value != 0);
+  for (const auto& entry : request.ints) changes.emplace_back(entry.name, static_cast<int>(entry.value));
+  for (const auto& entry : request.doubles) changes.emplace_back(entry.name, entry.value);
+  for (const auto& entry : request.strs) changes.emplace_back(entry.name, entry.value);
+  return changes;
+}
 
 ReconfigureServer::ReconfigureServer(ros::NodeHandle private_node, std::vector<LiveDescription> parameters,
                                      const LiveValues& defaults, Functions functions)

@@ -12,6 +12,9 @@
 
 namespace crowd {
 
+/// @brief The changes that a request asks for.
+LiveChanges changesOf(const dynamic_reconfigure::Config& request);
+
 /// @brief Server of dynamic_reconfigure (`~set_parameters`, `~parameter_descriptions`, `~parameter_updates`) for
 /// parameters that are described at run time. dynamic_reconfigure::Server needs a class that is generated from a .cfg
 /// file instead, which would repeat defaults and ranges, and clamps invalid values.

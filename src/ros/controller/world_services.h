@@ -1,0 +1,58 @@
+#pragma once
+
+#include <social_crowd/AddGate.h>
+#include <social_crowd/AddSource.h>
+#include <social_crowd/AddWall.h>
+#include <social_crowd/Alarm.h>
+#include <social_crowd/MoveObstacle.h>
+#include <social_crowd/RemoveAgent.h>
+#include <social_crowd/RemoveObstacle.h>
+#include <social_crowd/RemoveWall.h>
+#include <social_crowd/SetGate.h>
+#include <social_crowd/SetGoal.h>
+#include <social_crowd/SetRoute.h>
+#include <social_crowd/SpawnAgent.h>
+#include <social_crowd/SpawnObstacle.h>
+#include <social_crowd/Teleport.h>
+#include <social_crowd/TeleportRobot.h>
+
+#include <string>
+
+#include "simulation/episode.h"
+
+/// Handlers of the services that change the world, between two ticks. They return what was done, up to the time.
+/// @throws InputError if the request is refused; nothing has changed then
+namespace crowd {
+
+std::string serve(Episode& episode, const social_crowd::SpawnAgent::Request& request,
+                  social_crowd::SpawnAgent::Response& response);
+std::string serve(Episode& episode, const social_crowd::RemoveAgent::Request& request,
+                  social_crowd::RemoveAgent::Response& response);
+std::string serve(Episode& episode, const social_crowd::SetGoal::Request& request,
+                  social_crowd::SetGoal::Response& response);
+std::string serve(Episode& episode, const social_crowd::SpawnObstacle::Request& request,
+                  social_crowd::SpawnObstacle::Response& response);
+std::string serve(Episode& episode, const social_crowd::RemoveObstacle::Request& request,
+                  social_crowd::RemoveObstacle::Response& response);
+std::string serve(Episode& episode, const social_crowd::MoveObstacle::Request& request,
+                  social_crowd::MoveObstacle::Response& response);
+std::string serve(Episode& episode, const social_crowd::Teleport::Request& request,
+                  social_crowd::Teleport::Response& response);
+std::string serve(Episode& episode, const social_crowd::TeleportRobot::Request& request,
+                  social_crowd::TeleportRobot::Response& response);
+std::string serve(Episode& episode, const social_crowd::AddWall::Request& request,
+                  social_crowd::AddWall::Response& response);
+std::string serve(Episode& episode, const social_crowd::RemoveWall::Request& request,
+                  social_crowd::RemoveWall::Response& response);
+std::string serve(Episode& episode, const social_crowd::SetRoute::Request& request,
+                  social_crowd::SetRoute::Response& response);
+std::string serve(Episode& episode, const social_crowd::AddSource::Request& request,
+                  social_crowd::AddSource::Response& response);
+std::string serve(Episode& episode, const social_crowd::Alarm::Request& request,
+                  social_crowd::Alarm::Response& response);
+std::string serve(Episode& episode, const social_crowd::AddGate::Request& request,
+                  social_crowd::AddGate::Response& response);
+std::string serve(Episode& episode, const social_crowd::SetGate::Request& request,
+                  social_crowd::SetGate::Response& response);
+
+}  // namespace crowd

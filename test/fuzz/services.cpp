@@ -1,0 +1,97 @@
+// Requests of services, one after the other, each behind a byte that tells which it is; a tick is one of them.
+
+#include <dynamic_reconfigure/Config.h>
+#include <social_crowd/SetLearningParameters.h>
+#include <social_crowd/SpawnRobot.h>
+#include <social_crowd/TakeQTable.h>
+
+#include <functional>
+
+#include "fuzz/messages.h"
+#include "fuzz/small_world.h"
+#include "learning/q_table_file.h"
+#include "ros/controller/controller_parameters.h"
+#include "ros/controller/world_services.h"
+#include "ros/learner/learner_settings.h"
+#include "ros/node/reconfigure_server.h"
+#include "scenario/reading/robot_reader.h"
+
+namespace {
+
+using namespace crowd;
+
+/// What the requests change.
+struct Nodes {
+  Episode episode{fuzz::smallScene(), 0, {}, ThreadPool::callerOnly(), fuzz::stopAfter(1.0)};
+  Learner learner = fuzz::makeLearner();
+  LearnerSettings settings;
+};
+
+using Handler = void (*)(Nodes& nodes, fuzz::MessageStream& stream);
+
+template <typename Service>
+void change(Nodes& nodes, fuzz::MessageStream& stream) {
+  typename Service::Response response;
+  serve(nodes.episode, stream.take<typename Service::Request>(), response);
+}
+
+void spawnRobot(Nodes& nodes, fuzz::MessageStream& stream) {
+  const auto request = stream.take<social_crowd::SpawnRobot::Request>();
+  nodes.episode.edit().addRobot(readRobotStart(request.robot, nodes.episode.scene().goal_tolerance, false));
+}
+
+void setLearningParameters(Nodes& nodes, fuzz::MessageStream& stream) {
+  const auto request = stream.take<social_crowd::SetLearningParameters::Request>();
+  nodes.learner.setPlan(changedPlan(nodes.learner.plan(), request.parameters, "parameters"));
+}
+
+void takeQTable(Nodes& nodes, fuzz::MessageStream& stream) {
+  const auto request = stream.take<social_crowd::TakeQTable::Request>();
+  TrainedTable trained = parseQTable(request.q_table, "table", &nodes.learner.model());
+  nodes.learner.takeTable(std::move(trained.table), TAKE_METHODS.parse(request.method));
+}
+
+void reconfigure(Nodes& nodes, fuzz::MessageStream& stream) {
+  static const LiveParameters<LearnerSettings> live = liveLearnerParameters();
+  static const LiveParameters<ControllerParameters> live_controller = liveControllerParameters();
+  const LiveChanges changes = changesOf(stream.take<dynamic_reconfigure::Config>());
+  live_controller.changed({}, changes);
+  nodes.settings = live.changed(nodes.settings, changes);
+  nodes.learner.setPlan(nodes.settings.plan);
+}
+
+void walk(Nodes& nodes, fuzz::MessageStream& /*stream*/) { fuzz::walk(nodes.episode); }
+
+constexpr Handler HANDLERS[] = {
+    walk,
+    change<social_crowd::SpawnAgent>,
+    change<social_crowd::RemoveAgent>,
+    change<social_crowd::SetGoal>,
+    change<social_crowd::SpawnObstacle>,
+    change<social_crowd::RemoveObstacle>,
+    change<social_crowd::MoveObstacle>,
+    change<social_crowd::Teleport>,
+    change<social_crowd::TeleportRobot>,
+    change<social_crowd::AddWall>,
+    change<social_crowd::RemoveWall>,
+    change<social_crowd::SetRoute>,
+    change<social_crowd::AddSource>,
+    change<social_crowd::Alarm>,
+    change<social_crowd::AddGate>,
+    change<social_crowd::SetGate>,
+    spawnRobot,
+    setLearningParameters,
+    takeQTable,
+    reconfigure,
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return fuzz::feed(size, 10'000, [&] {
+    fuzz::MessageStream stream(data, size);
+    Nodes nodes;
+    fuzz::handleAll(stream, [&](std::uint8_t kind) { HANDLERS[kind % std::size(HANDLERS)](nodes, stream); });
+    fuzz::walk(nodes.episode);
+  });
+}
