@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "common/stop_request.h"
 #include "common/text/numbers.h"
 #include "common/text/quotes.h"
 #include "common/text/suggestions.h"
@@ -70,11 +71,27 @@ bool isEmptyText(XmlRpcValue& value) {
   return value.getType() == XmlRpcValue::TypeString && static_cast<std::string&>(value).empty();
 }
 
+/// Returns a parameter; an invalid value if it is not set. NodeHandle::getParam() takes a request that failed for one
+/// that is not set: a signal interrupts requests, and a busy master refuses some. They are repeated here.
+/// @throws Stopped if ROS shuts down
+XmlRpcValue fetch(const std::string& name) {
+  XmlRpcValue request;
+  request[0] = ros::this_node::getName();
+  request[1] = name;
+  XmlRpcValue response;
+  XmlRpcValue value;
+  ros::master::execute("getParam", request, response, value, true);
+  if (ros::isShuttingDown()) throw Stopped();
+  return value;
+}
+
 }  // namespace
 
 XmlRpcValue* Parameters::find(const std::string& name) {
-  asked_.insert(name);
-  return node_.getParam(name, value_) && !isEmptyText(value_) ? &value_ : nullptr;
+  const auto [entry, is_new] = values_.try_emplace(name);
+  XmlRpcValue& value = entry->second;
+  if (is_new) value = fetch(node_.resolveName(name));
+  return value.valid() && !isEmptyText(value) ? &value : nullptr;
 }
 
 XmlRpcValue* Parameters::find(const std::string& name, const std::string& expected, const std::string& otherwise) {
@@ -167,13 +184,14 @@ std::set<std::string> Parameters::findUnknown() const {
   for (const std::string& full : names) {
     if (full.compare(0, prefix.size(), prefix) != 0) continue;
     const std::string name = full.substr(prefix.size(), full.find('/', prefix.size()) - prefix.size());
-    if (asked_.count(name) == 0) unknown.insert(name);
+    if (values_.count(name) == 0) unknown.insert(name);
   }
   return unknown;
 }
 
 void Parameters::noteUnknown() {
-  const std::vector<std::string> known(asked_.begin(), asked_.end());
+  std::vector<std::string> known;
+  for (const auto& [name, value] : values_) known.push_back(name);
   const auto problem = [&](const std::string& name) {
     const std::string hint = didYouMean(name, known, "~");
     return "there is no such parameter" + (hint.empty() ? "; there are " : hint + " There are ") +

@@ -16,8 +16,8 @@ namespace crowd {
 /// @brief The greatest whole number of a parameter: XML-RPC has 32 bits.
 constexpr std::int64_t MAX_WHOLE = INT32_MAX;
 
-/// @brief Reads the private parameters of a node and collects all errors, so that they are reported together. An
-/// unknown private parameter is an error, too.
+/// @brief Reads the private parameters of a node, each of them once, and collects all errors, so that they are reported
+/// together. An unknown private parameter is an error, too. All functions throw Stopped if ROS shuts down.
 class Parameters {
  public:
   explicit Parameters(const ros::NodeHandle& private_node) : node_(private_node) {}
@@ -57,11 +57,10 @@ class Parameters {
   void noteUnknown();
 
   ros::NodeHandle node_;
-  std::set<std::string> asked_;
-  std::map<std::string, std::string> descriptions_;  // by name
+  std::map<std::string, XmlRpc::XmlRpcValue> values_;  // of the parameters asked for; invalid: not set
+  std::map<std::string, std::string> descriptions_;    // by name
   std::vector<std::string> problems_;
   std::map<std::string, std::string> missing_;  // error, by name
-  XmlRpc::XmlRpcValue value_;
 };
 
 }  // namespace crowd
