@@ -20,49 +20,53 @@ STEADY_TICKS = 5  # without a miss, after a fault
 FACTOR = 5.0  # of real time
 PERIOD = 0.01  # [s] between two checks
 LOG_END = 2000  # characters of a node's output in an error
-PATIENT = {'_answer_deadline': 0.2, '_misses_until_absent': 3, '_start_deadline': 5.0}
 
 
 class Violation(RunError):
     """A node has crashed or hangs, or the crowd does not go on as it should."""
 
 
-def scenario():
+def few_agents():
     """Returns a scenario in which agents walk to and fro through the centre of a circle all the time."""
-    lines = ['name: faults', 'duration: 1000000', 'goal_tolerance: 0.3', 'agents:']
     angles = [2 * math.pi * i / AGENTS for i in range(AGENTS)]
     places = [(round(6 * math.cos(angle), 3), round(6 * math.sin(angle), 3)) for angle in angles]
-    lines += [f'  - {{position: [{x}, {y}], route: way_{i}, speed: {1 + 0.03 * i:.2f}, radius: 0.25}}'
-              for i, (x, y) in enumerate(places)]
-    lines.append('routes:')
-    lines += [f'  way_{i}: {{repeat: true, waypoints: [{{place: [{-x}, {-y}]}}, {{place: [{x}, {y}]}}]}}'
-              for i, (x, y) in enumerate(places)]
-    return '\n'.join(lines) + '\n'
+    return scenario([f'{{position: [{x}, {y}], route: way_{i}, speed: {1 + 0.03 * i:.2f}, radius: 0.25}}'
+                     for i, (x, y) in enumerate(places)],
+                    [f'way_{i}: {{repeat: true, waypoints: [{{place: [{-x}, {-y}]}}, {{place: [{x}, {y}]}}]}}'
+                     for i, (x, y) in enumerate(places)])
+
+
+def scenario(agents, routes):
+    """Returns a scenario that does not end."""
+    return '\n  '.join(['name: faults\nduration: 1000000\ngoal_tolerance: 0.3\nagents:',
+                        *('- ' + agent for agent in agents)]) + '\n' + '\n  '.join(['routes:', *routes]) + '\n'
 
 
 class Graph:
     """Context manager with a master on a free port; ends all nodes on exit. Its nodes are in their own sessions, so
     that Ctrl-C is sent to this program only."""
 
-    def __init__(self, folder, deadline):
-        self.folder, self.deadline = pathlib.Path(folder), deadline
+    def __init__(self, folder, deadline, text, agents=AGENTS, **parameters):
+        """Text: a scenario with this number of agents. Parameters: of the controller."""
+        self.folder, self.deadline, self.agents = pathlib.Path(folder), deadline, agents
+        self.parameters = {'_scenario': self.folder / 'faults.yaml', '_real_time_factor': FACTOR, '_start_deadline': 5,
+                           '_misses_until_absent': 3, **{'_' + name: value for name, value in parameters.items()}}
         self.port = free_port()
         os.environ.update(ROS_MASTER_URI=f'http://127.0.0.1:{self.port}', ROS_HOSTNAME='127.0.0.1',
                           ROS_HOME=str(self.folder), ROS_LOG_DIR=str(self.folder / 'log'))
         os.environ.pop('ROS_NAMESPACE', None)
+        (self.folder / 'faults.yaml').write_text(text, encoding='utf-8')
         self.nodes = {}  # processes that are to live, by name
         self.logs = {}
         self.status = None
         self.subscriber = None
         self.broken = []  # what the messages of the controller should not say
-        (self.folder / 'faults.yaml').write_text(scenario(), encoding='utf-8')
 
     def __enter__(self):
         self.start_master()
         rospy.init_node('graph_faults', disable_signals=True, disable_rosout=True)
         self.listen()
         self.start_controller()
-        self.start_learners()
         return self
 
     def __exit__(self, *_):
@@ -85,8 +89,7 @@ class Graph:
 
     def start_controller(self):
         self.status = None
-        parameters = {**PATIENT, '_scenario': self.folder / 'faults.yaml', '_real_time_factor': FACTOR}
-        self.start('controller', [find_program('crowd_controller'), *map(':='.join, texts(parameters))])
+        self.start('controller', [find_program('crowd_controller'), *map(':='.join, texts(self.parameters))])
 
     def start_learner(self, name, *words, share=None, table=None):
         parameters = {'__name': name, '_q_table': table or find_config() / 'q_tables' / 'anticipation.txt'}
@@ -127,9 +130,9 @@ class Graph:
 
     def take(self, status):
         """Checks that each agent has in each tick either an answer or a miss, and that nobody is in contact."""
-        if status.decisions + status.missed_answers != AGENTS * status.tick:
-            self.broken.append(f'{status.decisions} answers and {status.missed_answers} misses of {AGENTS} agents in '
-                               f'{status.tick} ticks')
+        if status.decisions + status.missed_answers != self.agents * status.tick:
+            self.broken.append(f'{status.decisions} answers and {status.missed_answers} misses of {self.agents} agents '
+                               f'in {status.tick} ticks')
         if status.touched:
             self.broken.append(f'{status.touched} agents are in contact in tick {status.tick}')
         self.status = status

@@ -15,7 +15,7 @@ from crowd_experiments.tools import find_config
 from crowd_launching.nodes import find_program
 
 from .faults import KINDS
-from .graph import Graph, Violation
+from .graph import Graph, Violation, few_agents
 
 EXAMPLE = '''example:
   source .build/devel/setup.bash
@@ -85,8 +85,9 @@ def apply_all(arguments, record):
     draw = random.Random(arguments.seed)
     with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
         table = make_other_table(pathlib.Path(folder))
-        with Graph(folder, arguments.deadline) as graph:
+        with Graph(folder, arguments.deadline, few_agents(), answer_deadline=arguments.answer_deadline) as graph:
             graph.other_table = table
+            graph.start_learners()
             graph.wait_until_steady()
             print(HEADER.format('', 'fault', 'time [s]', 'misses', 'descriptors', 'MB'))
             for number, kind in enumerate(kinds_for(draw, arguments.kinds, arguments.faults)):
@@ -107,6 +108,8 @@ def main(words=None):
     add('--seed', type=whole, default=1, help='of kinds and times (default: %(default)s)')
     add('--deadline', type=above_zero, default=60.0, metavar='SECONDS',
         help='for ticks to go on, and for nodes to end (default: %(default)s)')
+    add('--answer-deadline', type=above_zero, default=0.2, metavar='SECONDS',
+        help='of the controller (default: %(default)s)')
     add('--kinds', nargs='+', choices=KINDS, default=list(KINDS), metavar='KIND', help=f'of {", ".join(KINDS)}')
     arguments, record = parser.parse_args(words), Record()
     print(f'seed {arguments.seed}', flush=True)

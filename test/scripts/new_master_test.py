@@ -1,7 +1,10 @@
-"""A ROS master that ends, and a new one at its place: nodes go on, and register with the new one."""
+"""A ROS master that ends, and a new one at its place: nodes go on, and register with the new one; a busy master."""
+import http.server
 import os
 import signal
 import subprocess
+import threading
+import urllib.request
 import xmlrpc.client
 
 import pytest
@@ -211,3 +214,40 @@ class NoMasterTest:
         wait_episode(controller)
         desk.stop_rosmaster()
         assert (controller.stop(), learner.stop()) == (0, 0)
+
+
+class BusyMaster(http.server.BaseHTTPRequestHandler):
+    """Passes requests on to a ROS master, but at first refuses those for a Q-table, as it may refuse any."""
+
+    def log_message(self, *_):  # of each request
+        pass
+
+    def do_POST(self):
+        request = self.rfile.read(int(self.headers['content-length']))
+        if self.server.refusals > 0 and b'<value>/learner/q_table<' in request and b'>getParam<' in request:
+            self.server.refusals -= 1
+            self.close_connection = True
+            return
+        with urllib.request.urlopen(urllib.request.Request(self.server.uri, request)) as answer:
+            content = answer.read()
+        self.send_response(200)
+        self.send_header('content-type', 'text/xml')
+        self.send_header('content-length', str(len(content)))
+        self.end_headers()
+        self.wfile.write(content)
+
+
+class BusyMasterTest:
+    """A master that does not answer all requests."""
+
+    def test_parameter_is_asked_for_again(self, desk):
+        with http.server.ThreadingHTTPServer(('127.0.0.1', 0), BusyMaster) as busy:
+            busy.uri, busy.refusals = desk.uri, 2  # roscpp tries twice
+            threading.Thread(target=busy.serve_forever, daemon=True).start()
+            desk.environment['ROS_MASTER_URI'] = f'http://127.0.0.1:{busy.server_port}'
+            learner = desk.start_learner()
+            wait_for(lambda: ('publisher', '/actions', '/learner') in desk.state() or not learner.is_running(), 'its end')
+            assert learner.is_running()
+            assert busy.refusals == 0
+            assert learner.stop() == 0
+            busy.shutdown()
