@@ -246,7 +246,8 @@ class BusyMasterTest:
             threading.Thread(target=busy.serve_forever, daemon=True).start()
             desk.environment['ROS_MASTER_URI'] = f'http://127.0.0.1:{busy.server_port}'
             learner = desk.start_learner()
-            wait_for(lambda: ('publisher', '/actions', '/learner') in desk.state() or not learner.is_running(), 'its end')
+            wait_for(lambda: ('publisher', '/actions', '/learner') in desk.state() or not learner.is_running(),
+                     'the learner')
             assert learner.is_running()
             assert busy.refusals == 0
             assert learner.stop() == 0
