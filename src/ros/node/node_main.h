@@ -34,6 +34,10 @@ int runNode(int argc, char** argv, const char* name, const NodeUsage& usage) {
     return 1;
   }
   const ros::NodeHandle keeps_the_console;  // ROS shuts down with its last handle; nothing is logged after that
+  // rosout reads this at the first message, for which the master registers the node. If that message is about the end
+  // of this node because another one has taken its name, the master would end that one, too. So it is read now.
+  bool is_unused = false;
+  ros::param::getCached("/rosout_disable_topics_generation", is_unused);
   const std::shared_ptr<MasterWatch> master_watch = MasterWatch::ofProcess();
   try {
     Node node((ros::NodeHandle()), ros::NodeHandle("~"));
