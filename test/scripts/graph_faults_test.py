@@ -35,4 +35,4 @@ class GraphFaultsTest:
     def test_subscriber_that_never_reads(self, runner):
         output = run(runner, 'graph_load', '--agents', '100', '--factor', '20', '--subscribers', '5', '--seconds', '2',
                      '--period', '1')
-        assert int(re.search(r'^(\d+) MB were read by 4 subscribers', output, re.MULTILINE)[1]) >= 0
+        assert 'were read by 4 subscribers' in output
