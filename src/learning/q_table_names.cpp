@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "common/files/file_access.h"
 #include "common/text/quotes.h"
 #include "common/text/suggestions.h"
 #include "scenario/reading/scenario_files.h"
@@ -17,11 +18,11 @@ constexpr const char* Q_TABLE_EXTENSION = ".txt";
 /// The folder beside that of the scenarios.
 fs::path shippedQTables() { return fs::path(shippedScenarios()).parent_path() / "q_tables"; }
 
-std::vector<std::string> namesIn(const fs::path& folder) {
+std::vector<std::string> qTablesIn(const fs::path& folder) {
   std::vector<std::string> names;
-  std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.path().extension() == Q_TABLE_EXTENSION) names.push_back(entry.path().stem().string());
+  for (const std::string& name : namesIn(folder.string())) {
+    const fs::path file(name);
+    if (file.extension() == Q_TABLE_EXTENSION) names.push_back(file.stem().string());
   }
   return names;
 }
@@ -39,7 +40,7 @@ std::string findQTable(const std::string& name_or_file, const std::string& base)
   const fs::path folder = shippedQTables();
   const fs::path named = folder / (path.stem().string() + Q_TABLE_EXTENSION);
   if (fs::exists(named, ignored)) return named.string();
-  const std::vector<std::string> names = sortedByNearness(path.stem().string(), namesIn(folder));
+  const std::vector<std::string> names = sortedByNearness(path.stem().string(), qTablesIn(folder));
   const std::string nearest = nearestName(path.stem().string(), names);
   throw InputError(
       "no Q-table " + inQuotes(name_or_file) + (nearest.empty() ? "" : ", did you mean '" + nearest + "'?") +

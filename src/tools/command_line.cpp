@@ -5,6 +5,7 @@
 #include <csignal>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -92,6 +93,11 @@ int print(const Answer& answer) {
   return answer.is_error ? EXIT_BAD_USAGE : EXIT_FINE;
 }
 
+/// What an error says; the standard library has only the name of a class for missing memory.
+const char* messageOf(const std::exception& error) {
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? "there is not enough memory" : error.what();
+}
+
 std::string checksumOfProgram() {
   Checksum checksum;
   checksum.add(readFile("/proc/self/exe"));
@@ -116,7 +122,7 @@ int runOnRanks(const CLI::App& app, const std::optional<Answer>& own, Communicat
   } catch (const SharedError& error) {
     if (ranks.rank() == 0) std::cerr << app.get_name() << ": " << error.what() << std::endl;
   } catch (const std::exception& error) {
-    ranks.abort(app.get_name() + ": rank " + std::to_string(ranks.rank()) + ": " + error.what());
+    ranks.abort(app.get_name() + ": rank " + std::to_string(ranks.rank()) + ": " + messageOf(error));
   }
   ranks.gatherAll({});  // mpirun ends all when the first one ends with another status than 0
   return status;
@@ -149,7 +155,7 @@ int runTool(CLI::App& app, int argc, char** argv, const std::function<int(Commun
     if (ranks->size() > 1) return runOnRanks(app, answer, *ranks, run);
     return answer ? print(*answer) : run(*ranks);
   } catch (const std::exception& error) {
-    std::cerr << app.get_name() << ": " << error.what() << std::endl;
+    std::cerr << app.get_name() << ": " << messageOf(error) << std::endl;
     return EXIT_BAD_INPUT;
   }
 }

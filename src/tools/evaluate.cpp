@@ -96,6 +96,7 @@ Metrics evaluateFile(Communicator& ranks, const TrainedTable& trained, const Arg
     is_stopped = !evaluateOnRanks(ranks, trained, scenarios, plan, observerOf(name, ranks, bar), deliver);
   }
   bar->clear();
+  if (own_output) own_output->close();
   if (is_stopped && ranks.rank() == 0) {
     std::cerr << name << ": interrupted after " << metrics.episodes() << " of " << episodes
               << " episodes; the results are those of these, without unfinished ones\n";
@@ -149,7 +150,7 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
     printRow(name, metrics);
     csv += csvRow(name, metrics);
   }
-  output.writeMetrics(csv);
+  output.finish(csv);
   return is_stopped ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 

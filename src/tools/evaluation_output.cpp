@@ -49,6 +49,12 @@ void openFile(const std::string& name, const std::string& header, std::optional<
   if (!name.empty()) file.emplace(name, header);
 }
 
+void closeAll(const std::vector<std::optional<GrowingFile>*>& files) {
+  for (std::optional<GrowingFile>* const file : files) {
+    if (*file) (*file)->close();
+  }
+}
+
 }  // namespace
 
 void OutputNames::request(EvaluationPlan& plan) const {
@@ -93,6 +99,11 @@ void ScenarioOutput::append(const EvaluatedEpisode& walked) {
   if (scenes_) scenes_->append(walked.scene);
 }
 
+void ScenarioOutput::close() {
+  if (trajectories_) trajectories_->close();
+  closeAll({&states_, &robot_series_, &scenes_});
+}
+
 void RunOutput::open(const OutputNames& names) {
   if (!names.csv.empty()) metrics_.emplace(names.csv);
   openFile(names.record, recordHeader(), agents_);
@@ -108,8 +119,9 @@ void RunOutput::append(const EvaluatedEpisode& walked) {
   if (robot_log_) robot_log_->append(walked.robot_log);
 }
 
-void RunOutput::writeMetrics(const std::string& csv) {
+void RunOutput::finish(const std::string& csv) {
   if (metrics_) metrics_->write(csv);
+  closeAll({&agents_, &robots_, &robot_goals_, &robot_log_});
 }
 
 }  // namespace crowd

@@ -36,6 +36,8 @@ class ScenarioOutput {
   ScenarioOutput(const OutputNames& names, const std::string& scenario);
   /// @brief Appends an episode. @throws FileError
   void append(const EvaluatedEpisode& walked);
+  /// @brief Closes the files; once, after all episodes. @throws FileError
+  void close();
 
  private:
   std::optional<TrajectoryFile> trajectories_;
@@ -51,8 +53,8 @@ class RunOutput {
   void open(const OutputNames& names);
   /// @brief Appends an episode. @throws FileError
   void append(const EvaluatedEpisode& walked);
-  /// @brief Writes the metrics of all scenarios. @throws FileError
-  void writeMetrics(const std::string& csv);
+  /// @brief Writes the metrics of all scenarios and closes the other files; once. @throws FileError
+  void finish(const std::string& csv);
 
  private:
   std::optional<ResultFile> metrics_;

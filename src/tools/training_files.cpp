@@ -58,6 +58,14 @@ TrainingFiles::TrainingFiles(TrainingFileNames names, std::string identity, doub
       log_(open(names_.log, LOG, LOG_HEADER, before)) {}
 
 void TrainingFiles::append(std::uint64_t first, const std::vector<LearnedEpisode>& episodes) {
+  appendRows(first, episodes);
+  const Clock::time_point now = Clock::now();
+  if (names_.checkpoint.empty() || now < next_) return;
+  due_since_ = now;
+  flushRows();
+}
+
+void TrainingFiles::appendRows(std::uint64_t first, const std::vector<LearnedEpisode>& episodes) {
   if (!record_ && !log_) return;
   std::string records;
   std::string logs;
@@ -71,9 +79,9 @@ void TrainingFiles::append(std::uint64_t first, const std::vector<LearnedEpisode
 }
 
 void TrainingFiles::saveCheckpointIfDue(const Training& training) {
-  if (names_.checkpoint.empty() || Clock::now() < next_) return;
-  const Clock::time_point begin = Clock::now();
-  saveCheckpoint(training);
+  if (!due_since_) return;
+  const Clock::time_point begin = *std::exchange(due_since_, std::nullopt);
+  writeCheckpoint(training);
   const std::chrono::duration<double> took = Clock::now() - begin;
   const auto pause = interval_.count() > 0.0 ? std::max(interval_, took / MAX_SAVING_SHARE) : interval_;
   next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(pause);
@@ -81,14 +89,26 @@ void TrainingFiles::saveCheckpointIfDue(const Training& training) {
 
 void TrainingFiles::saveCheckpoint(const Training& training) {
   if (names_.checkpoint.empty()) return;
+  flushRows();
+  writeCheckpoint(training);
+}
+
+/// A checkpoint must not reach the disk before the rows that it counts.
+void TrainingFiles::flushRows() {
+  if (record_) record_->flushToDisk();
+  if (log_) log_->flushToDisk();
+}
+
+void TrainingFiles::writeCheckpoint(const Training& training) const {
   Checkpoint checkpoint{identity_, {}, training.state()};
-  for (auto& [option, file] : {std::pair(RECORD, &record_), std::pair(LOG, &log_)}) {
-    if (!*file) continue;
-    // The checkpoint must not reach the disk before the rows that it counts.
-    (*file)->flushToDisk();
-    checkpoint.sizes[option] = (*file)->size();
-  }
+  if (record_) checkpoint.sizes[RECORD] = record_->size();
+  if (log_) checkpoint.sizes[LOG] = log_->size();
   replaceFile(names_.checkpoint, toText(checkpoint));
+}
+
+void TrainingFiles::close() {
+  if (record_) record_->close();
+  if (log_) log_->close();
 }
 
 }  // namespace crowd

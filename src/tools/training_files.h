@@ -36,21 +36,30 @@ class TrainingFiles {
   TrainingFiles(TrainingFileNames names, std::string identity, double interval,
                 const std::map<std::string, std::uint64_t>* before);
 
-  /// @brief Appends the rows of the episodes of a turn. @param first number of the first one. @throws FileError
+  /// @brief Appends the rows of the episodes of a turn, and flushes them to the disk if a checkpoint is due: rows that
+  /// could not be flushed may be lost, although a later attempt succeeds. @param first number of the first episode.
+  /// @throws FileError
   void append(std::uint64_t first, const std::vector<LearnedEpisode>& episodes);
 
-  /// @brief Saves a checkpoint if there is to be one and the interval is over. @throws FileError
+  /// @brief Saves a checkpoint if one was due when rows were appended. @throws FileError
   void saveCheckpointIfDue(const Training& training);
   /// @brief Saves a checkpoint if there is to be one. @throws FileError
   void saveCheckpoint(const Training& training);
+  /// @brief Closes record and log; once, at the end. @throws FileError
+  void close();
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  void appendRows(std::uint64_t first, const std::vector<LearnedEpisode>& episodes);
+  void flushRows();
+  void writeCheckpoint(const Training& training) const;
+
   TrainingFileNames names_;
   std::string identity_;
   std::chrono::duration<double> interval_;
-  Clock::time_point next_;  // of the checkpoints
+  Clock::time_point next_;                      // of the checkpoints
+  std::optional<Clock::time_point> due_since_;  // if one is due
   std::optional<GrowingFile> record_;
   std::optional<GrowingFile> log_;
 };

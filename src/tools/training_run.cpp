@@ -196,6 +196,7 @@ int TrainingRun::run() {
   runTurns();
   if (isFirstRank()) {
     if (!has_failed_) noteProblemOf([&] { files_->saveCheckpoint(*training_); });
+    noteProblemOf([&] { files_->close(); });
     // Whatever happens to the other files.
     noteProblemOf([&] { first_files_.output->write(toText(training_->trained())); });
   }

@@ -143,7 +143,8 @@ TEST(RobotLog, ErrorsSayWhereAndWhatIsExpected) {
       {HEADER +
            R"({"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0, "contacts": [{"person": 4, "cause": "robot"}]}]})",
        "line 2: robots[0].contacts[0].person: there has been no person 4 in 'people'"},
-      {HEADER + tick + "\n{\"tick\": 1, ", "this is not YAML"},
+      {HEADER + tick + "\n{\"tick\": 1, ", "line 3: this is not a complete line of JSON"},
+      {HEADER + "\n{\"tick\": \n" + tick + "\n" + tick, "line 3: this is not a complete line of JSON"},
       {"{\"tick_duration\": 0, \"robots\": []}", "line 1: tick_duration: expected a number above 0, got '0'"},
       {"{\"tick_duration\": 1, \"robots\": []}", "line 1: robots: expected at least one robot"},
       {R"({"tick_duration": 1, "robots": [{"radius": 1, "goals": [[0, 0]]}]})",

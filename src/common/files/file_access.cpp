@@ -1,5 +1,6 @@
 #include "common/files/file_access.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
@@ -8,6 +9,8 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
+#include <memory>
+#include <string_view>
 
 #include "social_crowd/errors.h"
 
@@ -36,6 +39,19 @@ int descriptorAt(const fs::path& path) {
   return !own.empty() && fs::canonical(folderOf(path.string()), ignored) == own ? number : -1;
 }
 
+/// What is at a path itself. Errors name `file`.
+FilePlace placeWithoutLinks(const fs::path& path, const std::string& file) {
+  FilePlace place;
+  place.path = path.string();
+  place.descriptor = descriptorAt(path);
+  struct stat status {};
+  const bool exists =
+      place.descriptor >= 0 ? ::fstat(place.descriptor, &status) == 0 : ::lstat(place.path.c_str(), &status) == 0;
+  if (exists) place.status = status;
+  if (!exists && errno != ENOENT && errno != ENOTDIR) throwUnwritable(file);
+  return place;
+}
+
 /// A second descriptor of an open file of this process; both share their place in the file.
 Descriptor copyOf(int number) {
   const int flags = ::fcntl(number, F_GETFL);  // NOLINT(*-vararg)
@@ -50,19 +66,12 @@ bool FilePlace::isStream() const { return descriptor >= 0 || (status && !S_ISREG
 
 FilePlace findPlace(const std::string& file) {
   std::error_code ignored;
-  fs::path path(file);
-  FilePlace place;
-  for (int links = 0; links < MAX_LINKS; ++links) {
-    place.descriptor = descriptorAt(path);
-    if (place.descriptor >= 0 || !fs::is_symlink(path, ignored)) break;
+  FilePlace place = placeWithoutLinks(file, file);
+  for (int links = 0; links < MAX_LINKS && place.status && S_ISLNK(place.status->st_mode); ++links) {
+    const fs::path path(place.path);
     // An absolute target replaces the folder.
-    path = path.parent_path() / fs::read_symlink(path, ignored);
+    place = placeWithoutLinks(path.parent_path() / fs::read_symlink(path, ignored), file);
   }
-  place.path = path.string();
-  struct stat status {};
-  const bool exists =
-      place.descriptor >= 0 ? ::fstat(place.descriptor, &status) == 0 : ::lstat(place.path.c_str(), &status) == 0;
-  if (exists) place.status = status;
   return place;
 }
 
@@ -118,7 +127,9 @@ void flushToDisk(const Descriptor& opened, const std::string& file) {
 
 void flushFolderOf(const std::string& path, const std::string& file) {
   const Descriptor folder(::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));  // NOLINT(*-vararg)
-  if (folder.isOpen()) flushToDisk(folder, file);  // else it may be written, but not read
+  if (!folder.isOpen() && errno == EACCES) return;  // it may be written, but not read
+  if (!folder.isOpen()) throwUnwritable(file);
+  flushToDisk(folder, file);
 }
 
 bool isNameOf(const std::string& path, const Descriptor& opened) {
@@ -131,6 +142,16 @@ bool isNameOf(const std::string& path, const Descriptor& opened) {
 std::string folderOf(const std::string& path) {
   const std::string folder = fs::path(path).parent_path().string();
   return folder.empty() ? "." : folder;
+}
+
+std::vector<std::string> namesIn(const std::string& folder) {
+  const std::unique_ptr<DIR, int (*)(DIR*)> opened(::opendir(folder.c_str()), &::closedir);
+  std::vector<std::string> names;
+  while (const dirent* entry = opened ? ::readdir(opened.get()) : nullptr) {
+    const std::string_view name = entry->d_name;
+    if (name != "." && name != "..") names.emplace_back(name);
+  }
+  return names;
 }
 
 const char* kindOf(mode_t mode) {

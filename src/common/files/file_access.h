@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/files/descriptor.h"
 
@@ -20,7 +21,7 @@ struct FilePlace {
   bool isStream() const;
 };
 
-/// @brief Finds the place that a name stands for.
+/// @brief Finds the place that a name stands for. @throws FileError if the system does not tell what is there
 FilePlace findPlace(const std::string& file);
 
 /// @brief Throws a FileError if nothing can be written there because of what it is: a folder, socket or block device.
@@ -44,6 +45,10 @@ bool isNameOf(const std::string& path, const Descriptor& opened);
 
 /// @brief Folder of a file, "." for a bare name.
 std::string folderOf(const std::string& path);
+
+/// @brief Names of all that is in a folder, in any order; none if it cannot be read. Unlike std::filesystem's iterator,
+/// which ends the process, it throws if memory is short.
+std::vector<std::string> namesIn(const std::string& folder);
 
 /// @brief Returns "a folder", "a device", "a pipe", "a link" and so on for a mode as stat() gives it.
 const char* kindOf(mode_t mode);

@@ -17,21 +17,18 @@ namespace {
 constexpr off_t LONGEST_OWNER = 20;  // characters of the number of a process, or more
 
 /// Whether a file can be a lock: a regular file without other names that has no more than the number of a process.
-bool isLock(const Descriptor& opened) {
-  struct stat status {};
-  return ::fstat(opened.number(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink <= 1 &&
-         status.st_size <= LONGEST_OWNER;
+bool isLock(const struct stat& status) {
+  return S_ISREG(status.st_mode) && status.st_nlink <= 1 && status.st_size <= LONGEST_OWNER;
 }
 
 /// Opens a lock, or makes one. What is no lock of this package is neither changed nor removed.
 Descriptor openLock(const std::string& name) {
   const int flags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   Descriptor opened(::open(name.c_str(), flags, 0666));  // NOLINT(*-vararg)
-  if (opened.isOpen() ? !isLock(opened) : errno == ELOOP)
-    throw FileError(name + ": cannot be written: there is something else of that name, which is no lock" +
-                    inFull(name));
-  if (!opened.isOpen()) throwUnwritable(name);
-  return opened;
+  struct stat status {};
+  if (opened.isOpen() ? ::fstat(opened.number(), &status) != 0 : errno != ELOOP) throwUnwritable(name);
+  if (opened.isOpen() && isLock(status)) return opened;
+  throw FileError(name + ": cannot be written: there is something else of that name, which is no lock" + inFull(name));
 }
 
 }  // namespace

@@ -38,4 +38,8 @@ void GrowingFile::flushToDisk() {
   is_new_ = false;
 }
 
+void GrowingFile::close() {
+  if (!opened_.close()) throwUnwritable(file_);
+}
+
 }  // namespace crowd

@@ -21,6 +21,9 @@ class GrowingFile {
   void append(const std::string& text);
   /// @brief Flushes the file and its folder to the disk. @throws FileError
   void flushToDisk();
+  /// @brief Closes it; once, at the end. Some file systems report only then that they could not write. @throws
+  /// FileError
+  void close();
   /// @brief Number of bytes that it has.
   std::uint64_t size() const { return size_; }
 

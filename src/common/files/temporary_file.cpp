@@ -86,7 +86,7 @@ bool TemporaryFile::open(const std::string& name) {
   if (!opened_.isOpen()) throwUnwritable(file_);
   // A file system without locks is used without them.
   const bool is_taken = ::flock(opened_.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  if (is_taken || ::access(name.c_str(), F_OK) != 0) {
+  if (is_taken || (::access(name.c_str(), F_OK) != 0 && errno == ENOENT)) {
     errno = EEXIST;
     return false;
   }
@@ -120,10 +120,9 @@ void TemporaryFile::replace() {
 void removeLeftovers(const FilePlace& place) {
   namespace fs = std::filesystem;
   const std::string target = fs::path(place.path).filename().string();
-  std::error_code problem;
-  for (fs::directory_iterator entry(folderOf(place.path), problem), end; !problem && entry != end;
-       entry.increment(problem)) {
-    if (isTemporaryOf(target, entry->path().filename().string())) removeIfLeft(entry->path().string());
+  const fs::path folder = folderOf(place.path);
+  for (const std::string& name : namesIn(folder.string())) {
+    if (isTemporaryOf(target, name)) removeIfLeft((folder / name).string());
   }
 }
 

@@ -189,23 +189,52 @@ void LogReader::requireDifferent(const YamlMap& map, const std::vector<LoggedPer
   throwProblem(map.placeOf("people"), map.need("people"), "there are two people " + std::to_string(*twice));
 }
 
+bool isEmptyLine(const std::string& line) { return line.find_first_not_of(" \t\r") == std::string::npos; }
+
+/// Whether a line is an object of its own; YAML is more than JSON.
+bool isWholeObject(const std::string& line, const std::string& file) {
+  try {
+    return parseYamlStream(line, file).size() == 1;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// Parses some lines of a log together. In an object that is not complete, YAML goes on to the next line, so that the
+/// message would have the number of that one.
+std::vector<YAML::Node> parseLines(const std::vector<std::string>& lines, std::size_t first, const std::string& file) {
+  std::string text(first, '\n');  // so that messages have the line of the file
+  for (const std::string& line : lines) text += isEmptyLine(line) ? "\n" : "--- " + line + "\n";
+  try {
+    return parseYamlStream(text, file);
+  } catch (const InputError&) {
+    YAML::Mark mark;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      mark.line = static_cast<int>(first + i);
+      if (!isEmptyLine(lines[i]) && !isWholeObject(lines[i], file)) {
+        throwProblem({file, 0, ""}, mark, "this is not a complete line of JSON");
+      }
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 void readRobotLog(const std::string& file, const std::function<void(RobotLogHeader&)>& begin,
                   const std::function<void(RobotLogTick&)>& add, FileKinds kinds) {
   const std::string text = readFile(file, FileLimits::RECORDING, kinds);
   LogReader reader(begin, add);
-  std::size_t line = 0;
+  std::size_t first = 0;
   for (std::size_t at = 0; at < text.size();) {
-    std::string some(line, '\n');  // so that messages have the line of the file
-    for (std::size_t i = 0; i < LINES_AT_ONCE && at < text.size(); ++i, ++line) {
+    std::vector<std::string> lines;
+    while (lines.size() < LINES_AT_ONCE && at < text.size()) {
       const std::size_t end = std::min(text.find('\n', at), text.size());
-      const std::string one = text.substr(at, end - at);
-      const bool is_blank = one.find_first_not_of(" \t\r") == std::string::npos;
-      some += is_blank ? "\n" : "--- " + one + "\n";
+      lines.push_back(text.substr(at, end - at));
       at = end + 1;
     }
-    for (const YAML::Node& node : parseYamlStream(some, file)) reader.read(node, {file, 0, ""});
+    for (const YAML::Node& node : parseLines(lines, first, file)) reader.read(node, {file, 0, ""});
+    first += lines.size();
   }
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "common/files/file_access.h"
 #include "common/files/library_file.h"
 #include "common/text/quotes.h"
 #include "common/text/suggestions.h"
@@ -40,11 +41,11 @@ fs::path installedScenarios() {
 }
 
 /// The names of the scenario files of a folder, without those of its folders, sorted.
-std::vector<std::string> namesIn(const fs::path& folder) {
+std::vector<std::string> scenariosIn(const fs::path& folder) {
   std::vector<std::string> names;
-  std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
-    if (entry.path().extension() == SCENARIO_EXTENSION) names.push_back(entry.path().stem().string());
+  for (const std::string& name : namesIn(folder.string())) {
+    const fs::path file(name);
+    if (file.extension() == SCENARIO_EXTENSION) names.push_back(file.stem().string());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -53,9 +54,8 @@ std::vector<std::string> namesIn(const fs::path& folder) {
 /// A folder and the folders in it, sorted.
 std::vector<fs::path> withFolders(const fs::path& folder) {
   std::vector<fs::path> folders;
-  std::error_code problem;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, problem)) {
-    if (isFolder(entry.path())) folders.push_back(entry.path());
+  for (const std::string& name : namesIn(folder.string())) {
+    if (isFolder(folder / name)) folders.push_back(folder / name);
   }
   std::sort(folders.begin(), folders.end());
   folders.insert(folders.begin(), folder);
@@ -79,7 +79,7 @@ std::string asGiven(const std::string& name, const fs::path& path, bool is_bare)
 [[noreturn]] void throwNoScenario(const fs::path& path, const fs::path& file, const fs::path& folder, bool is_bare) {
   const fs::path searched = fs::absolute(file).lexically_normal().parent_path();
   std::vector<std::string> names =
-      sortedByNearness(path.stem().string(), is_bare ? scenarioNames(folder.string()) : namesIn(searched));
+      sortedByNearness(path.stem().string(), is_bare ? scenarioNames(folder.string()) : scenariosIn(searched));
   const std::string nearest = nearestName(path.stem().string(), names);
   const std::string hint = nearest.empty() ? "" : ", did you mean '" + asGiven(nearest, path, is_bare) + "'?";
   for (std::string& name : names) name = asGiven(name, path, is_bare);
@@ -101,7 +101,7 @@ std::string shippedScenarios() {
 std::vector<std::string> scenarioNames(const std::string& folder) {
   std::vector<std::string> names;
   for (const fs::path& one : withFolders(folder)) {
-    const std::vector<std::string> found = namesIn(one);
+    const std::vector<std::string> found = scenariosIn(one);
     names.insert(names.end(), found.begin(), found.end());
   }
   std::sort(names.begin(), names.end());

@@ -29,6 +29,8 @@ class TrajectoryFile {
   TrajectoryFile(const std::string& folder, const std::string& name);
   /// @brief Appends the rows of an episode and flushes them to the operating system. @throws FileError
   void append(const std::string& rows) { file_.append(rows); }
+  /// @brief Closes the file; once, at the end. @throws FileError
+  void close() { file_.close(); }
 
  private:
   GrowingFile file_;
