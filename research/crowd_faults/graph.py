@@ -182,6 +182,10 @@ class Graph:
         pages = int((process / 'statm').read_text(encoding='ascii').split()[1])
         return len(os.listdir(process / 'fd')), pages * os.sysconf('SC_PAGE_SIZE') / 2**20
 
+    def usages(self):
+        """Returns the same for the nodes of this package, by name and process."""
+        return {(name, process.pid): self.usage(name) for name, process in self.nodes.items() if name != 'master'}
+
 
 def texts(parameters):
     return ((name, str(value)) for name, value in parameters.items())

@@ -23,8 +23,10 @@ EXAMPLE = '''example:
 
 Prints a line for each fault: the time from its beginning until ticks go on without misses, the answers missed since,
 file descriptors and memory of the controller; at last a table by kind. After each fault all nodes must be alive, ticks
-must go on in time, every agent must have had an answer or a counted miss in every tick, and nobody may be in contact.
+must go on in time, every agent must have had an answer or a counted miss in every tick, nobody may be in contact, and
+no node may use many more descriptors, or much more memory, than at first.
 Ctrl-C prints the table so far.'''
+MORE = 20, 50.0  # descriptors and memory [MB] that a node may use more than after its first fault
 HEADER = '{:>5}  {:24} {:>8} {:>8} {:>12} {:>9}'
 LINE = '{:5}  {:24} {:8.2f} {:8} {:12} {:9.1f}'
 
@@ -52,11 +54,15 @@ class Record:
 
     def __init__(self):
         self.rows = collections.defaultdict(list)  # (seconds, misses), by kind
-        self.usages = collections.defaultdict(list)  # of a controller, by its process
+        self.usages = collections.defaultdict(list)  # (descriptors, MB), by name and process of a node
 
-    def add(self, kind, seconds, misses, controller, usage):
+    def add(self, kind, seconds, misses, usages):
+        """Raises Violation if a node uses many more descriptors, or much more memory, than after its first fault."""
         self.rows[kind].append((seconds, misses))
-        self.usages[controller].append(usage)
+        for node, usage in usages.items():
+            self.usages[node].append(usage)
+            if any(now > first + more for now, first, more in zip(usage, self.usages[node][0], MORE)):
+                raise Violation(f'{node[0]}: descriptors and memory [MB] were {self.usages[node][0]}, are {usage}')
 
     def print(self):
         print('\n| fault | number | median [s] | longest [s] | misses |\n|---|---|---|---|---|')
@@ -65,11 +71,11 @@ class Record:
             seconds = [entry[0] for entry in entries]
             print(f'| {kind} | {len(entries)} | {statistics.median(seconds):.2f} | {max(seconds):.2f} | '
                   f'{sum(entry[1] for entry in entries)} |')
-        lives = sorted(self.usages.values(), key=len)[-3:]
-        for life in reversed(lives):
+        for name in sorted({name for name, _ in self.usages}):
+            life = max((life for (of, _), life in self.usages.items() if of == name), key=len)
             (files, memory), (last_files, last_memory) = life[0], life[-1]
-            print(f'controller, {len(life)} faults: {files} file descriptors at first, {last_files} at last; memory '
-                  f'{memory:.1f} MB at first, {last_memory:.1f} MB at last')
+            print(f'{name}, longest life of {len(life)} faults: {files} file descriptors at first, {last_files} at '
+                  f'last; memory {memory:.1f} MB at first, {last_memory:.1f} MB at last')
 
 
 def apply(graph, kind, draw):
@@ -93,11 +99,12 @@ def apply_all(arguments, record):
             for number, kind in enumerate(kinds_for(draw, arguments.kinds, arguments.faults)):
                 try:
                     seconds, misses = apply(graph, kind, draw)
+                    usages = graph.usages()
+                    record.add(kind, seconds, misses, usages)
                 except Violation as error:
                     raise Violation(f'fault {number}, {kind}, seed {arguments.seed}: {error}') from None
-                usage = graph.usage('controller')
-                record.add(kind, seconds, misses, graph.nodes['controller'].pid, usage)
-                print(LINE.format(number, kind, seconds, misses, *usage), flush=True)
+                controller, = (usage for (name, _), usage in usages.items() if name == 'controller')
+                print(LINE.format(number, kind, seconds, misses, *controller), flush=True)
 
 
 def main(words=None):
