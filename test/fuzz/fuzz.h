@@ -18,6 +18,8 @@ namespace crowd::fuzz {
 
 /// @brief The memory that an input may take: this, and a multiple of its size that each target states [bytes].
 constexpr std::size_t FREE_MEMORY = 32'000'000;
+/// @brief The same of inputs that make or change a floor: meshes of up to 8 million cells, and distances to walls.
+constexpr std::size_t FLOOR_MEMORY = 400'000'000;
 
 /// @brief Ends the program if more memory than permitted is in use at the same time. There is one at a time.
 class MemoryLimit {
@@ -58,12 +60,12 @@ inline double processorTime() { return static_cast<double>(std::clock()) / CLOCK
 constexpr double MOST_TIME = 10.0;
 
 /// @brief Calls a reader. Errors of the package are its answers to bad inputs; anything else is a finding.
-/// @param size of the input @param multiple of it that may be taken in memory, beside FREE_MEMORY
+/// @param size of the input @param multiple of it that may be taken in memory, beside `free` [bytes]
 template <typename Read>
-int feed(std::size_t size, std::size_t multiple, const Read& read) {
+int feed(std::size_t size, std::size_t multiple, const Read& read, std::size_t free = FREE_MEMORY) {
   const double begin = processorTime();
   try {
-    const MemoryLimit limit(FREE_MEMORY + multiple * size);
+    const MemoryLimit limit(free + multiple * size);
     read();
   } catch (const Error&) {
   } catch (const Stopped&) {

@@ -2,6 +2,8 @@
 
 #include "ros/markers/marker_scene.h"
 
+#include <boost/make_shared.hpp>
+
 #include "fuzz/messages.h"
 
 namespace {

@@ -104,10 +104,13 @@ constexpr Handler HANDLERS[] = {walk,        takeActions, takePerceptions, takeS
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return fuzz::feed(size, 10'000, [&] {
-    fuzz::MessageStream stream(data, size);
-    Nodes nodes;
-    fuzz::handleAll(stream, [&](std::uint8_t kind) { HANDLERS[kind % std::size(HANDLERS)](nodes, stream); });
-    fuzz::walk(nodes.episode);
-  });
+  return fuzz::feed(
+      size, 10'000,
+      [&] {
+        fuzz::MessageStream stream(data, size);
+        Nodes nodes;
+        fuzz::handleAll(stream, [&](std::uint8_t kind) { HANDLERS[kind % std::size(HANDLERS)](nodes, stream); });
+        fuzz::walk(nodes.episode);
+      },
+      fuzz::FLOOR_MEMORY);
 }

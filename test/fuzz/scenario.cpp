@@ -2,6 +2,7 @@
 
 #include "fuzz/fuzz.h"
 #include "fuzz/small_world.h"
+#include "scenario/population_spec.h"
 #include "scenario/reading/scenario_reader.h"
 #include "scenario/writing/scene_document.h"
 #include "simulation/episode_runner.h"
@@ -17,6 +18,11 @@ constexpr double PATIENCE = 0.1;  // [s] until the request to stop is made, whic
 
 bool isSmall(const Scenario& scenario) {
   std::size_t bodies = scenario.robots.size();
+  if (scenario.population != nullptr) {
+    const double time = scenario.tick_duration * MOST_TICKS;
+    for (const SourceDescription& source : scenario.population->sources)
+      bodies += static_cast<std::size_t>(source.rate.value_or(0.0) * time);
+  }
   for (const AgentGroup& group : scenario.agents) bodies += static_cast<std::size_t>(group.count);
   for (const ObstacleGroup& group : scenario.obstacles) bodies += static_cast<std::size_t>(group.count);
   return bodies <= MOST_BODIES;
@@ -51,9 +57,12 @@ class ScenarioFolder {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const ScenarioFolder folder;
   const std::string name = folder.write(fuzz::textOf(data, size));
-  return fuzz::feed(size, 10'000, [&] {
-    const StopRequest stop = fuzz::stopAfter(PATIENCE);
-    const ScenarioList scenarios = readScenarios(name, stop);
-    if (!scenarios.empty() && isSmall(scenarios[0])) walk(scenarios[0], stop);
-  });
+  return fuzz::feed(
+      size, 10'000,
+      [&] {
+        const StopRequest stop = fuzz::stopAfter(PATIENCE);
+        const ScenarioList scenarios = readScenarios(name, stop);
+        if (!scenarios.empty() && isSmall(scenarios[0])) walk(scenarios[0], stop);
+      },
+      fuzz::FLOOR_MEMORY);
 }

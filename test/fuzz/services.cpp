@@ -55,7 +55,7 @@ void reconfigure(Nodes& nodes, fuzz::MessageStream& stream) {
   static const LiveParameters<LearnerSettings> live = liveLearnerParameters();
   static const LiveParameters<ControllerParameters> live_controller = liveControllerParameters();
   const LiveChanges changes = changesOf(stream.take<dynamic_reconfigure::Config>());
-  live_controller.changed({}, changes);
+  live_controller.changed(ControllerParameters(), changes);
   nodes.settings = live.changed(nodes.settings, changes);
   nodes.learner.setPlan(nodes.settings.plan);
 }
@@ -88,10 +88,13 @@ constexpr Handler HANDLERS[] = {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return fuzz::feed(size, 10'000, [&] {
-    fuzz::MessageStream stream(data, size);
-    Nodes nodes;
-    fuzz::handleAll(stream, [&](std::uint8_t kind) { HANDLERS[kind % std::size(HANDLERS)](nodes, stream); });
-    fuzz::walk(nodes.episode);
-  });
+  return fuzz::feed(
+      size, 10'000,
+      [&] {
+        fuzz::MessageStream stream(data, size);
+        Nodes nodes;
+        fuzz::handleAll(stream, [&](std::uint8_t kind) { HANDLERS[kind % std::size(HANDLERS)](nodes, stream); });
+        fuzz::walk(nodes.episode);
+      },
+      fuzz::FLOOR_MEMORY);
 }
