@@ -31,13 +31,29 @@ def check_output(file):
         raise InputError(f'{file}: cannot be written: there is no folder {file.parent.absolute()}')
 
 
+def flush_to_disk(path):
+    """Flushes a file, or the names in a folder, to the disk."""
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
 @contextlib.contextmanager
 def replaced(file):
-    """Gives a `with` block a file to write, which replaces the given one at its end, or is removed on failure."""
+    """Gives a `with` block a file to write, which replaces the given one at its end, or is removed on failure. After a
+    loss of power, there is one of both."""
     part = pathlib.Path(file).with_name(f'.{pathlib.Path(file).name}.part')
     try:
         yield part
+        flush_to_disk(part)
         os.replace(part, file)
+        flush_to_disk(part.parent)
+    except OSError as error:
+        if error.filename in (None, str(part)):
+            error.filename = str(file)
+        raise
     finally:
         part.unlink(missing_ok=True)
 

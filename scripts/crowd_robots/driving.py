@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 import numpy
-from crowd_drawing.errors import read_documents
+from crowd_drawing.errors import flush_to_disk, read_documents
 from crowd_drawing.files import find_scenario
 from crowd_experiments.arguments import add_file, parser_of, positive
 from crowd_experiments.interruption import EXIT_FINE, EXIT_INTERRUPTED
@@ -103,7 +103,9 @@ def drive(settings, counts, record):
         with open(finished, 'a', encoding='utf-8') as stream:
             stream.writelines(part.read_text(encoding='utf-8').splitlines(True)[1 if number else 0:])
     part.unlink()
+    flush_to_disk(finished)
     os.replace(finished, record)
+    flush_to_disk(record.parent)
     table_of(record).print()
     return EXIT_FINE
 

@@ -17,14 +17,20 @@ def run(folder, command, **failing):
     """Runs a command in a folder, given what is to fail by the names of variables without 'CALLS_'. Returns a Done,
     with paths from the folder on."""
     log = f'{folder}.calls'
-    variables = {f'CALLS_{name.upper()}': str(value) for name, value in failing.items()}
-    environment = {**os.environ, 'LC_ALL': 'C', 'LD_PRELOAD': LIBRARY, 'CALLS_FOLDER': folder, 'CALLS_LOG': log, **variables}
+    variables = {'folder': folder, 'log': log, **failing}
+    environment = {**os.environ, 'LC_ALL': 'C', 'LD_PRELOAD': LIBRARY,
+                   **{f'CALLS_{name.upper()}': str(value) for name, value in variables.items()}}
     done = subprocess.run(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
     lines = [line.replace(folder, '').split('\t') for line in read_text(log).splitlines()]
     os.remove(log)
-    calls = [Call(kind, path.lstrip('/'), other.lstrip('/'), bytes.fromhex(data)) for kind, path, other, data in lines]
+    calls = [Call(kind, within(path), within(other), bytes.fromhex(data)) for kind, path, other, data in lines]
     return Done(done.returncode, done.stdout.decode(errors='replace'), calls[:-1], int(calls[-1].other))
+
+
+def within(path):
+    """Returns a path from the folder on; empty for the folder."""
+    return path[1:] if path.startswith('/') or path == '.' else path
 
 
 def target_of(path):

@@ -3,7 +3,7 @@
 // CALLS_FAIL: number of the one that fails, from 1. CALLS_ALLOCATION: the same for allocations after the first of these
 // calls. CALLS_ERROR: errno of the failing call, 0: it reads or writes half of the bytes. CALLS_ON: if set, all later
 // ones fail as well. A line of the log has, separated by tabs, the kind of call, its path, a second path or "FAILS",
-// and the written bytes as hexadecimal digits; the last one has the number of allocations.
+// and the written bytes, or those of a size, as hexadecimal digits; the last one has the number of allocations.
 
 #include <dirent.h>
 #include <dlfcn.h>
@@ -52,10 +52,11 @@ bool hasNoMemory() {
   return true;
 }
 
-/// Whether a path is in the folder; relative ones are, as the program runs in it.
+/// Whether a path is in the folder; relative ones are, as the program runs in it. Other names are those of pipes.
 bool counts(const char* path) {
   const char* const folder = std::getenv("CALLS_FOLDER");
-  return folder != nullptr && (path[0] != '/' || std::strncmp(path, folder, std::strlen(folder)) == 0);
+  if (folder == nullptr || std::strchr(path, ':') != nullptr) return false;
+  return path[0] != '/' || std::strncmp(path, folder, std::strlen(folder)) == 0;
 }
 
 void log(const char* kind, const char* path, const char* other, const unsigned char* bytes, size_t size) {
@@ -138,7 +139,7 @@ WRAP(ssize_t, pread, (int opened, void* data, size_t size, off_t place), (opened
 WRAP(int, flock, (int opened, int mode) noexcept, (opened, mode), -1, opened)
 WRAP(int, fchmod, (int opened, mode_t mode) noexcept, (opened, mode), -1, opened)
 WRAP(int, fchown, (int opened, uid_t user, gid_t group) noexcept, (opened, user, group), -1, opened)
-WRAP(int, ftruncate, (int opened, off_t size) noexcept, (opened, size), -1, opened)
+WRAP(int, ftruncate, (int opened, off_t size) noexcept, (opened, size), -1, opened, &size, sizeof(size))
 WRAP(int, posix_fallocate, (int opened, off_t place, off_t size), (opened, place, size), errno, opened)
 WRAP(int, rename, (const char* path, const char* to) noexcept, (path, to), -1, path, to)
 WRAP(int, unlink, (const char* path) noexcept, (path), -1, path)
