@@ -134,7 +134,8 @@ class Case:
                 (call.path.startswith('checkpoint') and '; the training goes on' in output))
 
     def is_whole(self, name, content):
-        """Whether this is what a file was before, or a new version that is complete, as far as it is written at once."""
+        """Whether this is what a file was before, or a new version that is complete, as far as it is
+        written at once."""
         old, new = (files.get(name, (b'', 0))[0] for files in (self.before, self.after))
         if content in (old, new, *self.versions.get(name, ())):
             return True
@@ -228,7 +229,8 @@ class CallsTest:
 
 
 class PowerLossTest:
-    """After a loss of power at any time there is the old table or a new one, and a training goes on from a checkpoint."""
+    """After a loss of power at any time there is the old table or a new one, and a training goes on
+    from a checkpoint."""
 
     def test_training(self, train):
         calls = train.finish().calls
