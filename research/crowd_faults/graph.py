@@ -60,6 +60,7 @@ class Graph:
         self.logs = {}
         self.status = None
         self.subscriber = None
+        self.other_table = None  # a Q-table of another state set
         self.broken = []  # what the messages of the controller should not say
 
     def __enter__(self):
