@@ -70,7 +70,7 @@ void LearnerNode::advertiseServices() {
   });
   files_.serve<social_crowd::LoadQTable>(names::LOAD_Q_TABLE, [this](const auto& request, auto& response) {
     const std::string file = data_folder_.resolveToRead(request.file, findQTable);
-    const HiddenQuotes hidden;                    // whoever calls may not be allowed to read the file
+    const HiddenQuotes hidden;  // whoever calls may not be allowed to read the file
     // May throw; nothing has been replaced yet.
     const TrainedTable table = loadQTable(file, FileKinds::REGULAR, &learner_.model());
     loop_.ask<void>([&] {
