@@ -77,6 +77,10 @@ int feed(std::size_t size, std::size_t multiple, const Read& read, std::size_t f
 
 inline std::string textOf(const std::uint8_t* data, std::size_t size) { return {data, data + size}; }
 
+/// @brief Until a request to stop is made, which must end all work, so that an input takes much less than MOST_TIME
+/// [s].
+constexpr double PATIENCE = 0.1;
+
 /// @brief A request to stop that is made after this time of the processor [s].
 inline StopRequest stopAfter(double time) {
   const double end = processorTime() + time;

@@ -35,7 +35,7 @@ struct Nodes {
     commands.begin({1.0}, TICK);
   }
 
-  Episode episode{fuzz::smallScene(), 0, {}, ThreadPool::callerOnly(), fuzz::stopAfter(1.0)};
+  Episode episode{fuzz::smallScene(), 0, {}, ThreadPool::callerOnly(), fuzz::stopAfter(fuzz::PATIENCE)};
   Learner learner = fuzz::makeLearner(Mode::TRAINING);
   PerceptionLimiter limiter{learner.model().vision()};
   Lockstep lockstep{3};

@@ -14,7 +14,6 @@ using namespace crowd;
 
 constexpr std::size_t MOST_BODIES = 300;  // that are placed; each takes some memory, up to limits::BODIES
 constexpr std::uint64_t MOST_TICKS = 5;
-constexpr double PATIENCE = 0.1;  // [s] until the request to stop is made, which must end all work
 
 bool isSmall(const Scenario& scenario) {
   std::size_t bodies = scenario.robots.size();
@@ -60,7 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return fuzz::feed(
       size, 10'000,
       [&] {
-        const StopRequest stop = fuzz::stopAfter(PATIENCE);
+        const StopRequest stop = fuzz::stopAfter(fuzz::PATIENCE);
         const ScenarioList scenarios = readScenarios(name, stop);
         if (!scenarios.empty() && isSmall(scenarios[0])) walk(scenarios[0], stop);
       },

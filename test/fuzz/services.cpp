@@ -22,7 +22,7 @@ using namespace crowd;
 
 /// What the requests change.
 struct Nodes {
-  Episode episode{fuzz::smallScene(), 0, {}, ThreadPool::callerOnly(), fuzz::stopAfter(1.0)};
+  Episode episode{fuzz::smallScene(), 0, {}, ThreadPool::callerOnly(), fuzz::stopAfter(fuzz::PATIENCE)};
   Learner learner = fuzz::makeLearner();
   LearnerSettings settings;
 };
