@@ -140,7 +140,7 @@ class HandMadeLogTest:
         ('{"tick_duration": 1, "robots": [{"radius": 0.3}]}\n{"tick": 0, "robots": []}\n',
          'line 2: robots: expected a list of 1'),
         ('{"tick_duration": 1, "robot": []}\n', "robot"),
-        ('{"tick_duration": 1\n', 'this is not YAML')])
+        ('{"tick_duration": 1\n', 'line 1: this is not a complete line of JSON')])
     def test_errors(self, runner, text, message):
         runner.write('before.csv', 'kept')
         status, output = score(runner, runner.write('bad.jsonl', text), '--csv', 'before.csv')
