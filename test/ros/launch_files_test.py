@@ -92,13 +92,15 @@ class DemoTest(LaunchTestCase):
 
     def test_epsilon_argument_reaches_all_learners(self):
         """The argument, a number or a schedule, reaches one learner and learners per agent; default: the table's."""
-        status = self.listen('learner_status', LearnerStatus)
+        status, agents = self.listen('learner_status', LearnerStatus), self.listen('agents', AgentStates)
         header = QTableFile(support.ANTICIPATION_TABLE).header
         for given, expected in (({'epsilon': 0}, 0.0), ({'epsilon': SCHEDULE, 'learners': 'per_agent'}, 0.8),
                                 ({}, header['epsilon']), ({'learners': 'per_agent'}, header['epsilon'])):
             status.messages.clear()
+            agents.messages.clear()
             launched = self.launch('demo.launch', mode='training', **given)
             told = status.wait(what='the status of a learner')
+            agents.wait(what='a tick')  # a node that is interrupted while it starts ends with an error
             self.assertEqual((told.mode, told.epsilon), ('training', expected), given)
             self.assertEqual(launched.stop(), 0)
 

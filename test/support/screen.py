@@ -19,7 +19,8 @@ class Screen:
         os.close(write)
         with os.fdopen(read) as displays:
             number = displays.readline().strip()
-        self.variables = {'DISPLAY': ':' + number, 'LIBGL_ALWAYS_SOFTWARE': '1'}
+        # One thread: RViz crashed in a thread of Mesa's renderer.
+        self.variables = {'DISPLAY': ':' + number, 'LIBGL_ALWAYS_SOFTWARE': '1', 'LP_NUM_THREADS': '0'}
         self.environment = dict(os.environ, **self.variables)
 
     def picture(self, file):
