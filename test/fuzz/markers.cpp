@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     MarkerOptions options;
     options.radii = MarkerOptions::Radii::ALL;
     MarkerScene scene(options);
-    fuzz::handleAll(stream, [&](std::uint8_t kind) { HANDLERS[kind % std::size(HANDLERS)](scene, stream); });
+    fuzz::handleAll(HANDLERS, scene, stream);
     scene.draw(true);
   });
 }

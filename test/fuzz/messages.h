@@ -55,14 +55,14 @@ class MessageStream : public ros::serialization::Stream {
   }
 };
 
-/// @brief Calls handle() for one message after the other, as a node that logs errors and goes on.
-/// @param handle reads a message from the stream
-template <typename Handle>
-void handleAll(MessageStream& stream, const Handle& handle) {
+/// @brief Calls a handler for one message after the other, as a node that logs errors and goes on.
+/// @param handlers read a message from the stream and change `nodes`; the byte before each message chooses one
+template <typename Nodes, std::size_t COUNT>
+void handleAll(void (*const (&handlers)[COUNT])(Nodes&, MessageStream&), Nodes& nodes, MessageStream& stream) {
   ros::console::set_logger_level(ROSCONSOLE_DEFAULT_NAME, ros::console::levels::Fatal);
   while (stream.getLength() > 0) {
     try {
-      handle(stream.nextByte());
+      handlers[stream.nextByte() % COUNT](nodes, stream);
     } catch (const Error&) {
     } catch (const ros::serialization::StreamOverrunException&) {
       return;

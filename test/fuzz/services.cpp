@@ -93,7 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       [&] {
         fuzz::MessageStream stream(data, size);
         Nodes nodes;
-        fuzz::handleAll(stream, [&](std::uint8_t kind) { HANDLERS[kind % std::size(HANDLERS)](nodes, stream); });
+        fuzz::handleAll(HANDLERS, nodes, stream);
         fuzz::walk(nodes.episode);
       },
       fuzz::FLOOR_MEMORY);
