@@ -1,4 +1,4 @@
-"""Faults in a running ROS graph: nodes that die, hang or come twice, a master that ends, messages that are lost."""
+"""Faults in a running ROS graph: nodes that die, hang or are started twice, no master, messages that are lost."""
 import importlib.util
 
 from crowd_drawing.errors import RunError

@@ -130,7 +130,7 @@ class Graph:
         self.subscriber = rospy.Subscriber('controller_status', ControllerStatus, self.take, tcp_nodelay=True)
 
     def take(self, status):
-        """Checks that each agent has in each tick either an answer or a miss, and that nobody is in contact."""
+        """Checks that each agent has an answer or a counted miss in each tick, and that no agent is in contact."""
         if status.decisions + status.missed_answers != self.agents * status.tick:
             self.broken.append(f'{status.decisions} answers and {status.missed_answers} misses of {self.agents} agents '
                                f'in {status.tick} ticks')

@@ -23,7 +23,7 @@ EXAMPLE = '''example:
 
 Prints a line for each fault: the time from its beginning until ticks go on without misses, the answers missed since,
 file descriptors and memory of the controller; at last a table by kind. After each fault all nodes must be alive, ticks
-must go on in time, every agent must have had an answer or a counted miss in every tick, nobody may be in contact, and
+must go on in time, every agent must have had an answer or a counted miss in every tick, no agent may be in contact, and
 no node may use many more descriptors, or much more memory, than at first.
 Ctrl-C prints the table so far.'''
 MORE = 20, 50.0  # descriptors and memory [MB] that a node may use more than after its first fault

@@ -43,7 +43,7 @@ def flush_to_disk(path):
 @contextlib.contextmanager
 def replaced(file):
     """Gives a `with` block a file to write, which replaces the given one at its end, or is removed on failure. After a
-    loss of power, there is one of both."""
+    loss of power, the file is the old or the new one."""
     part = pathlib.Path(file).with_name(f'.{pathlib.Path(file).name}.part')
     try:
         yield part

@@ -1,4 +1,5 @@
-// The separation rule in random worlds: nobody who follows it touches what docs/separation_rule.md promises.
+// The separation rule in random worlds: agents that follow it have none of the contacts that docs/separation_rule.md
+// excludes.
 
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ double clearanceOf(const Segment& first, const Segment& second, double radii) {
   return (points.of_second - points.of_first).norm() - radii;
 }
 
-/// Where everybody is at the start of a tick.
+/// Positions of all agents, and all robots, at the start of a tick.
 struct Start {
   explicit Start(const World& world) : robots(world.robots().list()) {
     for (const Agent& agent : world.agents()) places.push_back(agent.pose.position);
