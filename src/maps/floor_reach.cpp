@@ -12,16 +12,16 @@ std::vector<bool> fitsIn(const ClearanceGrid& grid, double clearance) {
 
 }  // namespace
 
-bool FloorReach::isSmall(const FloorPlan& floor) {
+double FloorReach::pointsOf(const FloorPlan& floor) {
   const FloorPlan::Bounds bounds = floor.checkedBounds();
   const Vector2 points = (bounds.high - bounds.low) / SPACING;
-  return points.x() * points.y() < static_cast<double>(ClearanceGrid::MAX_POINTS);
+  return points.x() * points.y();
 }
 
 FloorReach::FloorReach(const FloorPlan& floor, double radius, const StopRequest& stop)
     : search_distance_(radius + ROOM + SPACING),
       grid_(floor, SPACING, search_distance_, stop),
-      components_(grid_, fitsIn(grid_, radius + ROOM)) {}
+      components_(grid_, fitsIn(grid_, radius + ROOM), stop) {}
 
 bool FloorReach::connects(const Vector2& from, const Vector2& to) const {
   const std::uint32_t start = component(from);

@@ -15,8 +15,8 @@ class FloorReach {
   /// mesh, and half a cell [m].
   static constexpr double ROOM = 0.045;
 
-  /// @brief Whether a floor is small enough for the grid: up to about 40,000 m2.
-  static bool isSmall(const FloorPlan& floor);
+  /// @brief Grid points of a floor. With ClearanceGrid::MAX_POINTS or more, about 40,000 m2, it is too large.
+  static double pointsOf(const FloorPlan& floor);
 
   /// @param floor with at least one wall or obstacle, small @param radius of the agents [m]
   /// @throws Stopped if `stop` is made

@@ -5,16 +5,17 @@
 
 namespace crowd {
 
-FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius)
-    : clearance_(floor, 0.5 * map.resolution, radius + ROOM + map.resolution) {
+FreeSpace::FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius, const StopRequest& stop)
+    : clearance_(floor, 0.5 * map.resolution, radius + ROOM + map.resolution, stop) {
   using Index = ClearanceGrid::Index;
   const CellFrame frame(map);
   std::vector<bool> fits(clearance_.size(), false);
   for (Index point = 0; point < clearance_.size(); ++point) {
+    if (point % clearance_.columns() == 0) stop.throwIfMade();
     fits[point] = clearance_[point] >= radius + ROOM && map.isFree(frame.cellAt(clearance_.place(point)));
     if (fits[point]) points_.push_back(point);
   }
-  GridComponents components(clearance_, fits);
+  GridComponents components(clearance_, fits, stop);
   const std::vector<std::size_t>& sizes = components.sizes;
   components_ = std::move(components.numbers);
   const std::size_t largest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());

@@ -23,8 +23,8 @@ class FreeSpace {
   static constexpr double POCKET_SHARE = 0.01;
 
   /// @param map valid @param floor all walls, including those of the map, and obstacles at rest
-  /// @param radius of the agent [m]
-  FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius);
+  /// @param radius of the agent [m] @throws Stopped if `stop` is made
+  FreeSpace(const OccupancyMap& map, const FloorPlan& floor, double radius, const StopRequest& stop = {});
 
   bool empty() const { return points_.empty(); }
   /// @brief Draws a place [m], `map`, uniformly from all components but pockets; empty() must not hold.

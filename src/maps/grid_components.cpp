@@ -2,7 +2,9 @@
 
 namespace crowd {
 
-GridComponents::GridComponents(const ClearanceGrid& grid, const std::vector<bool>& fits) : numbers(grid.size(), NONE) {
+GridComponents::GridComponents(const ClearanceGrid& grid, const std::vector<bool>& fits, const StopRequest& stop)
+    : numbers(grid.size(), NONE) {
+  constexpr std::size_t LOOK_AFTER = 1U << 16U;  // [points]
   using Index = ClearanceGrid::Index;
   std::vector<Index> found;
   for (Index seed = 0; seed < grid.size(); ++seed) {
@@ -11,6 +13,7 @@ GridComponents::GridComponents(const ClearanceGrid& grid, const std::vector<bool
     const auto number = static_cast<std::uint32_t>(sizes.size());
     numbers[seed] = number;
     for (std::size_t i = 0; i < found.size(); ++i) {
+      if (i % LOOK_AFTER == 0) stop.throwIfMade();
       grid.forNeighbours(found[i], [&](Index at) {
         if (!fits[at] || numbers[at] != NONE) return;
         numbers[at] = number;

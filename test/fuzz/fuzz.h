@@ -18,8 +18,9 @@ namespace crowd::fuzz {
 
 /// @brief The memory that an input may take: this, and a multiple of its size that each target states [bytes].
 constexpr std::size_t FREE_MEMORY = 32'000'000;
-/// @brief The same of inputs that make or change a floor: meshes of up to 8 million cells, and distances to walls.
-constexpr std::size_t FLOOR_MEMORY = 400'000'000;
+/// @brief The same of inputs that make or change a floor: meshes of up to 8 million cells, and 64 million grid points
+/// for drawing places.
+constexpr std::size_t FLOOR_MEMORY = 1'000'000'000;
 
 /// @brief Ends the program if more memory than permitted is in use at the same time. There is one at a time.
 class MemoryLimit {

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
+#include "maps/map_walls.h"
+#include "scenario/reading/scenario_map.h"
 #include "scenario/reading/scenario_reader.h"
 #include "support/error_of.h"
 #include "support/temporary_folder.h"
@@ -90,6 +93,49 @@ TEST_F(ScenarioMap, GoalsInOccupiedCellsAreRefused) {
   EXPECT_EQ(errorOfGoal("[6.09, 0.5]"), "no error");  // the agent arrives at (5.8, 0.5)
   EXPECT_EQ(errorOfGoal("[1, 5]"), "no error");       // outside of the map
   EXPECT_EQ(errorOfGoal("[8, 0.5]", "0.31").find("no error"), std::string::npos);
+}
+
+/// Agents of some radii that are drawn beside a wall of 10 m.
+Scenario drawnAgents(const std::vector<double>& radii) {
+  Scenario scenario;
+  scenario.walls = {{{0.0, 0.0}, {10.0, 0.0}}};
+  for (const double radius : radii) {
+    AgentGroup& group = scenario.agents.emplace_back();
+    group.position.kind = Region::Kind::BOX;
+    group.radius = {radius, radius};
+  }
+  return scenario;
+}
+
+/// A file could name any number of sizes, each of which would take the memory of a grid of the floor.
+TEST(ScenarioReach, IsMadeForAsManySizesOfAgentsAsThereAreGridPoints) {
+  Scenario scenario = drawnAgents({0.2, 0.3, 0.2});
+  const YamlMap no_map(YAML::Load("{}"), {"s.yaml", 1, ""}, {"map", "free_radius"});
+  double points = 0.0;
+  readScenarioMap(no_map, scenario, points);
+  EXPECT_EQ(scenario.agents[0].reach, nullptr);
+  FloorPlan floor;
+  floor.walls = scenario.walls;
+  points = 1.5 * FloorReach::pointsOf(floor);
+  readScenarioMap(no_map, scenario, points);
+  ASSERT_NE(scenario.agents[0].reach, nullptr);
+  EXPECT_EQ(scenario.agents[1].reach, nullptr);
+  EXPECT_EQ(scenario.agents[2].reach, scenario.agents[0].reach);
+  EXPECT_NEAR(points, 0.5 * FloorReach::pointsOf(floor), 1.0);
+}
+
+TEST(ScenarioReach, AndFreeSpaceStopOnRequest) {
+  const YamlMap no_map(YAML::Load("{}"), {"s.yaml", 1, ""}, {"map", "free_radius"});
+  Scenario scenario = drawnAgents({0.2});
+  double points = 1e9;
+  EXPECT_THROW(readScenarioMap(no_map, scenario, points, StopRequest([] { return true; })), Stopped);
+  OccupancyMap map;
+  map.resolution = 1.0;
+  map.width = map.height = 3;
+  map.cells.assign(9, CellState::FREE);
+  FloorPlan floor;
+  floor.walls = traceWalls(map);
+  EXPECT_THROW(FreeSpace(map, floor, 0.2, StopRequest([] { return true; })), Stopped);
 }
 
 }  // namespace

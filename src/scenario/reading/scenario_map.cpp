@@ -76,23 +76,28 @@ bool drawsPlaces(const AgentGroup& group) {
 }
 
 /// Lets agents be drawn where a way connects their places, if they find ways.
-void addReach(Scenario& scenario) {
+void addReach(Scenario& scenario, double& points_left, const StopRequest& stop) {
   FloorPlan floor;
   floor.walls = scenario.walls;
   if (scenario.map_walls) floor.walls.insert(floor.walls.end(), scenario.map_walls->begin(), scenario.map_walls->end());
-  if (!scenario.way_finding || floor.walls.empty() || !FloorReach::isSmall(floor)) return;
+  if (!scenario.way_finding || floor.walls.empty()) return;
+  const double points = FloorReach::pointsOf(floor);
+  if (points >= static_cast<double>(ClearanceGrid::MAX_POINTS)) return;
   std::map<double, std::shared_ptr<const FloorReach>> by_size;
   for (AgentGroup& group : scenario.agents) {
     if (!drawsPlaces(group)) continue;
     const double size = sizeOf(group.radius.high);
     std::shared_ptr<const FloorReach>& reach = by_size[size];
-    if (!reach) reach = std::make_shared<const FloorReach>(floor, size);
+    if (!reach && points <= points_left) {
+      points_left -= points;
+      reach = std::make_shared<const FloorReach>(floor, size, stop);
+    }
     group.reach = reach;
   }
 }
 
 /// Reads the map and, if places are drawn on it, its free space.
-void readMapKeys(const YamlMap& map, Scenario& scenario) {
+void readMapKeys(const YamlMap& map, Scenario& scenario, const StopRequest& stop) {
   const YAML::Node file = map.find("map");
   if (!file) {
     if (usesFreeSpace(scenario)) throwProblem(map.place(), map.node(), "{map: free} needs a map, got none");
@@ -110,7 +115,7 @@ void readMapKeys(const YamlMap& map, Scenario& scenario) {
   scenario.map_walls = std::make_shared<const std::vector<Segment>>(floor.walls);
   if (!usesFreeSpace(scenario)) return;
   floor.walls.insert(floor.walls.end(), scenario.walls.begin(), scenario.walls.end());
-  scenario.free_space = std::make_shared<const FreeSpace>(*scenario.map, floor, scenario.free_radius);
+  scenario.free_space = std::make_shared<const FreeSpace>(*scenario.map, floor, scenario.free_radius, stop);
   if (scenario.free_space->empty()) {
     throwProblem(map.placeOf("map"), file, name + ": no agent of the scenario fits anywhere on the map");
   }
@@ -118,9 +123,9 @@ void readMapKeys(const YamlMap& map, Scenario& scenario) {
 
 }  // namespace
 
-void readScenarioMap(const YamlMap& map, Scenario& scenario) {
-  readMapKeys(map, scenario);
-  addReach(scenario);
+void readScenarioMap(const YamlMap& map, Scenario& scenario, double& reach_points, const StopRequest& stop) {
+  readMapKeys(map, scenario, stop);
+  addReach(scenario, reach_points, stop);
 }
 
 }  // namespace crowd

@@ -124,7 +124,7 @@ void readCrowd(const YamlMap& map, const Units& units, const PopulationDescripti
   requireFewBodies(map, "agents", scenario.agents);
 }
 
-Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
+Scenario readScenario(const YAML::Node& node, const YamlPlace& place, double& reach_points, const StopRequest& stop) {
   const YamlMap map(node, place,
                     {"name",     "units",       "tick",        "duration", "goal_tolerance", "collision_radius",
                      "contact",  "order",       "seed",        "agents",   "obstacles",      "walls",
@@ -169,21 +169,28 @@ Scenario readScenario(const YAML::Node& node, const YamlPlace& place) {
   if (!population.empty() || !population.kinds.empty()) {
     scenario.population = std::make_shared<const PopulationDescription>(std::move(population));
   }
-  readScenarioMap(map, scenario);
+  readScenarioMap(map, scenario, reach_points, stop);
   if (scenario.population) checkPopulation(scenario);
   if (!units.thesis) scenario.warnings = findUnlikelyPeople(scenario);
   return scenario;
 }
+
+// Grid points of FloorReach for all scenarios of a file, 8 bytes each: enough for four floors of the largest size, and
+// for each scenario for one of 5000 m2.
+constexpr double REACH_POINTS = 6.4e7;
+constexpr double REACH_POINTS_EACH = 2e6;
 
 ScenarioList readStream(const std::vector<YAML::Node>& documents, const std::string& name,
                         const StopRequest& stop = {}) {
   if (documents.empty()) {
     throw InputError(name + ": expected at least one scenario, got an empty file");
   }
+  double reach_points = REACH_POINTS;
   std::vector<Scenario> scenarios;
   scenarios.reserve(documents.size());
   for (const YAML::Node& document : documents) {
-    scenarios.push_back(readScenario(document, {name, static_cast<int>(scenarios.size()) + 1, ""}));
+    reach_points += REACH_POINTS_EACH;
+    scenarios.push_back(readScenario(document, {name, static_cast<int>(scenarios.size()) + 1, ""}, reach_points, stop));
     scenarios.back().instantiate(0, 0, stop);  // reports overlaps and lack of space now instead of during a run
   }
   return ScenarioList(std::move(scenarios));
