@@ -1,5 +1,6 @@
 """The command line of research/flows; copies of Q-tables whose agents have other bodies."""
 import pandas
+from crowd_drawing.errors import InputError
 from crowd_experiments.arguments import add_file, parser_of
 from crowd_tables.body import with_body
 
@@ -30,8 +31,11 @@ def main(words=None):
                       help='of the state set (default: %(default)s)')
     arguments = parser.parse_args(words)
     if arguments.command == 'body':
-        arguments.output.write_bytes(with_body(arguments.q_table.read_bytes(), arguments.keys,
-                                               arguments.personal_space))
+        try:
+            contents = with_body(arguments.q_table.read_bytes(), arguments.keys, arguments.personal_space)
+        except ValueError as error:
+            raise InputError(f'{arguments.q_table}: {error}') from None
+        arguments.output.write_bytes(contents)
         return
     speeds, doors = {}, {}
     for table in arguments.tables:

@@ -4,7 +4,7 @@ import csv
 import hashlib
 import typing
 
-from crowd_drawing.errors import complete_lines, replaced
+from crowd_drawing.errors import complete_lines, opened, replaced
 from crowd_experiments.runs import RunError
 
 from .identity import Identity
@@ -26,7 +26,7 @@ class Row(typing.NamedTuple):
 
 def read_texts(file):
     """Returns the header and the rows of a CSV file, as texts. Raises RunError."""
-    with open(file, newline='', encoding='utf-8', errors='replace') as stream:
+    with opened(file, newline='') as stream:
         reader = csv.reader(complete_lines(stream, file))
         header = next(reader, [])
         rows = list(reader)

@@ -4,7 +4,7 @@ import typing
 
 import numpy
 import pandas
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, opened
 from crowd_drawing.picture import colours_of
 from crowd_experiments.arguments import add_file, labelled, parser_of, positive
 from crowd_experiments.records import mean_interval, read_csv, t_quantile
@@ -13,6 +13,7 @@ from matplotlib.ticker import MaxNLocator
 
 EPISODE, SCENARIO = 'episode', 'scenario'
 WINDOWS = 50  # by default
+MOST_EPISODES = 10**9  # of a training
 MOST_COLUMNS, PANEL, LEGEND_LINE = 3, (3.9, 2.9), 0.22  # of panels; sizes [inch]
 EXAMPLES = '''examples:
   for seed in 1 2 3; do rosrun social_crowd train config/learning/anticipation.yaml --seed $seed \\
@@ -46,11 +47,14 @@ class Band(typing.NamedTuple):
 
 def read_run(label, file, scenario=None, grows=False):
     """Reads a record or log of `train`, maybe of one scenario. `grows`: see read_csv(). Raises InputError, OSError."""
-    with open(file, encoding='utf-8', errors='replace') as stream:
+    with opened(file) as stream:
         if EPISODE not in next(stream, '').rstrip('\r\n').split(','):
             raise InputError(f'{file}:1: expected a record of `train --record` or a log of `train --log`, with a '
                              f"column '{EPISODE}'")
     rows = pandas.DataFrame(read_csv(file, grows))
+    wrong = rows[EPISODE][~(rows[EPISODE].between(0, MOST_EPISODES) & (rows[EPISODE] % 1 == 0))]
+    for row, number in wrong.items():
+        raise InputError(f"{file}:{row + 2}: expected a whole number in the column '{EPISODE}', got '{number:g}'")
     scenarios = sorted(set(rows.get(SCENARIO, ())))
     if scenario is not None and scenarios:
         rows = rows[rows[SCENARIO] == scenario]

@@ -8,6 +8,17 @@ import yaml
 LOADER = getattr(yaml, 'CSafeLoader', yaml.SafeLoader)  # the faster implementation, if available
 
 
+@contextlib.contextmanager
+def opened(file, newline=None):
+    """Opens a text file for reading. Errors while it is read name it, as those of open() do."""
+    try:
+        with open(file, newline=newline, encoding='utf-8', errors='replace') as stream:
+            yield stream
+    except OSError as error:
+        error.filename = error.filename or str(file)
+        raise
+
+
 def complete_lines(stream, file):
     """Yields the lines of a stream. Raises InputError if the last one has no end: the file was cut off."""
     for number, line in enumerate(stream, 1):

@@ -3,9 +3,10 @@ import csv
 import difflib
 import math
 import pathlib
+import textwrap
 
 import numpy
-from crowd_drawing.errors import InputError, complete_lines, read_documents
+from crowd_drawing.errors import InputError, complete_lines, opened, read_documents
 from crowd_experiments.tools import find_config
 from matplotlib.transforms import Affine2D
 
@@ -116,7 +117,8 @@ def numbers_of(file, line, words, columns, expected):
             raise ValueError
         return *map(int, wholes), x, y
     except (ValueError, IndexError, OverflowError):
-        raise InputError(f"{file}:{line}: expected {expected}, got '{' '.join(words)}'") from None
+        got = textwrap.shorten(' '.join(words), 60, placeholder=' ...')  # a field in quotes may have many lines
+        raise InputError(f"{file}:{line}: expected {expected}, got '{got}'") from None
 
 
 def collect(file, rows, person='person', frame='frame'):
@@ -137,7 +139,7 @@ def collect(file, rows, person='person', frame='frame'):
 
 def read_walks(file, instance):
     """Returns the instance, by default the first, and lists of (tick, x, y) [m] by agent. Raises InputError."""
-    with open(file, newline='', encoding='utf-8', errors='replace') as stream:
+    with opened(file, newline='') as stream:
         lines = csv.reader(complete_lines(stream, file))
         if next(lines, None) != HEADER:
             raise InputError(f"{file}:1: expected the header {','.join(HEADER)}")

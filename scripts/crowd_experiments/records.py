@@ -4,7 +4,7 @@ import itertools
 import math
 
 import numpy
-from crowd_drawing.errors import InputError, complete_lines, ended_lines
+from crowd_drawing.errors import InputError, complete_lines, ended_lines, opened
 
 TEXTS = ('scenario', 'robot', 'navigation')
 LEVEL = 0.95
@@ -15,7 +15,7 @@ def read_csv(file, grows=False):
     """Returns the columns of a CSV file by their names: arrays of numbers, lists of texts. Raises InputError if
     there is no header, a row is not complete, or a value is not a number, and OSError. `grows`: the file may still be
     being written, so that a last line without an end is left out; otherwise it is an error."""
-    with open(file, newline='', encoding='utf-8', errors='replace') as stream:
+    with opened(file, newline='') as stream:
         rows = csv.reader(ended_lines(stream) if grows else complete_lines(stream, file))
         names = next(rows, None)
         if names is None:
@@ -42,7 +42,7 @@ def numbers_of(column, file, name):
 def read_tracks(file, agents=0):
     """Returns the places of every instance [m]: arrays (tick, agent, 2), nan after an agent has left."""
     try:
-        with open(file, encoding='utf-8', errors='replace') as stream:
+        with opened(file) as stream:
             rows = numpy.loadtxt(complete_lines(stream, file), delimiter=',', skiprows=1, ndmin=2)
     except ValueError as error:
         raise InputError(f'{file}: {error}') from None

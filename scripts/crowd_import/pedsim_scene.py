@@ -75,7 +75,7 @@ def read_root(file):
     parser.EndElementHandler = lambda _tag: path.pop()
     try:
         parser.Parse(pathlib.Path(file).read_bytes(), True)
-    except (xml.parsers.expat.ExpatError, ValueError) as error:  # ValueError: an encoding that is not supported
+    except (xml.parsers.expat.ExpatError, LookupError, ValueError) as error:  # the last two: of its encoding
         reason = getattr(error, 'code', None)
         message = str(error) if reason is None else xml.parsers.expat.ErrorString(reason)
         raise InputError(f'{file}:{parser.CurrentLineNumber}: not XML: {message}') from None

@@ -10,7 +10,7 @@ import re
 import typing
 
 import numpy
-from crowd_drawing.errors import InputError, check_output, replaced
+from crowd_drawing.errors import InputError, check_output, opened, replaced
 from crowd_drawing.files import DEFAULT_TICK, HEADER, Scene, collect, find_scenario, numbers_of, read_scene, read_walks
 from crowd_experiments.arguments import above_zero, add_file, parser_of, whole
 from crowd_recordings.robot_log import RobotLog, read_robot_log
@@ -85,7 +85,7 @@ def read_jupedsim(file, stream):
 def read_recording(file, instance=None):
     """Reads a Recording. `instance`: which episode of a CSV file or a log; None: the first. Raises InputError,
     OSError."""
-    with open(file, encoding='utf-8', errors='replace') as stream:
+    with opened(file) as stream:
         first = next((line for line in stream if line.strip()), '').strip()
         stream.seek(0)
         if first.startswith(HEADER[0]):

@@ -3,7 +3,7 @@ import json
 import math
 import typing
 
-from crowd_drawing.errors import InputError, complete_lines
+from crowd_drawing.errors import InputError, complete_lines, opened
 
 EXPECTED = 'a line of a log of robots, as of `evaluate --robot-log`'
 
@@ -29,14 +29,14 @@ class RobotLog(typing.NamedTuple):
 
 def is_robot_log(file):
     """Returns whether a file is lines of JSON. Raises OSError."""
-    with open(file, encoding='utf-8', errors='replace') as stream:
+    with opened(file) as stream:
         return next((line for line in stream if line.strip()), '').lstrip().startswith('{')
 
 
 def read_robot_log(file, episode=None):
     """Returns the RobotLog of an episode, which its header names; None: the first one. Raises InputError, OSError."""
     found, episodes = None, []
-    with open(file, encoding='utf-8', errors='replace') as stream:
+    with opened(file) as stream:
         for line, text in enumerate(complete_lines(stream, file), 1):
             if text.strip():
                 try:

@@ -5,7 +5,7 @@ import typing
 
 import numpy
 import pandas
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, opened
 from crowd_drawing.files import HEADER
 from crowd_experiments.arguments import labelled
 from crowd_experiments.records import bootstrap_difference, mean_interval, read_csv
@@ -49,7 +49,7 @@ def source_of(word):
     """Returns the Source of a word [LABEL=]FILE; the default label is the folder's name. Raises InputError, OSError."""
     label, name = labelled(word)
     file = pathlib.Path(name)
-    with open(file, encoding='utf-8', errors='replace') as stream:
+    with opened(file) as stream:
         first = next(stream, '').strip()
     for kind, (header, _) in HEADERS.items():
         if first.startswith(header):

@@ -8,7 +8,7 @@ import typing
 
 import numpy
 import yaml
-from crowd_drawing.errors import InputError
+from crowd_drawing.errors import InputError, opened
 
 MAGIC = 'social_crowd Q-table 1'
 NEEDED = ('state_set', 'action_set', 'rows', 'actions', 'visited_rows')
@@ -47,7 +47,7 @@ class Table(typing.NamedTuple):
 
 def read_table(file):
     """Reads a Q-table file. The checksum is not verified. Raises InputError, OSError."""
-    with open(file, encoding='utf-8', errors='replace') as stream:
+    with opened(file) as stream:
         if next(stream, '').rstrip('\n') != MAGIC:
             raise InputError(f"{file}:1: is not a Q-table; expected '{MAGIC}'")
         lines = list(itertools.takewhile(lambda line: not line.startswith('---'), stream))

@@ -5,11 +5,11 @@
 #include <csignal>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <optional>
 #include <sstream>
 #include <vector>
 
+#include "common/error_message.h"
 #include "common/files/checksum.h"
 #include "common/files/files.h"
 #include "common/text/suggestions.h"
@@ -91,11 +91,6 @@ std::optional<Answer> ofFirstRank(Communicator& ranks, const std::optional<Answe
 int print(const Answer& answer) {
   (answer.is_error ? std::cerr : std::cout) << answer.text << std::flush;
   return answer.is_error ? EXIT_BAD_USAGE : EXIT_FINE;
-}
-
-/// What an error says; the standard library has only the name of a class for missing memory.
-const char* messageOf(const std::exception& error) {
-  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ? "there is not enough memory" : error.what();
 }
 
 std::string checksumOfProgram() {

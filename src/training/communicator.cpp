@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "common/error_message.h"
 #include "simulation/byte_archive.h"
 
 namespace crowd {
@@ -83,7 +84,7 @@ void doOnAllRanks(Communicator& communicator, const std::function<void()>& work)
   try {
     work();
   } catch (const std::exception& error) {
-    problem = error.what();
+    problem = messageOf(error);
     if (problem.empty()) problem = "unknown error";
   }
   const std::vector<Communicator::Bytes> problems = communicator.gatherAll(bytesOf(problem));

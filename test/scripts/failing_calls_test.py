@@ -2,7 +2,6 @@
 import collections
 import errno
 import os
-import random
 import re
 import shutil
 from concurrent.futures import ThreadPoolExecutor
@@ -11,7 +10,7 @@ import pytest
 from calls import contents, run, target_of
 from learning_files import checksum_of, config_text
 from power_loss import states_after
-from programs import NEAREST_TABLE, assert_says, in_package, read_bytes, tools_folder
+from programs import NEAREST_TABLE, in_package, read_bytes, tools_folder
 
 REASONS = (errno.EIO, errno.ENOSPC, errno.EDQUOT)
 # Without these there is a result that is not complete, or may be lost: there is no success.
@@ -81,10 +80,11 @@ class Case:
         shutil.copytree(self.runner.path('before'), folder)
         done = run(folder, self.command, **failing)
         failed = next((call for call in done.calls if call.other == 'FAILS'), None)
-        where = f'{failing} {failed and failed[:2]}: {done.output}'
+        where = f'{done.status} {failing} {failed and failed[:2]}: {done.output}'
         files = contents(folder)
         left = [name for name in files if name not in self.after and target_of(name) != name]
-        assert not left or (failed and failed.kind == 'unlink'), f'{where} {left}'
+        may_stay = failed and (failed.kind == 'unlink' or 'on' in failing)
+        assert not left or may_stay or left == ['checkpoint.lock'], f'{where} {left}'
         for name in left:
             del files[name]
         if done.status == 0:
@@ -93,15 +93,13 @@ class Case:
         else:
             assert done.status == 1 and not any(word in done.output for word in CRASHES), where
             if failed:
-                reason = os.strerror(failing['error']) if failed.kind != 'stat' else 'no '
-                assert_says(done.output, reason, os.path.basename(target_of(failed.path)))
+                assert os.strerror(failing['error']) in done.output or failed.kind == 'stat', where
+                assert 'on' in failing or os.path.basename(target_of(failed.path)) in done.output, where
         for name, (content, _) in files.items():
             assert self.is_whole(name, content), f'{where} {name}'
-        if files == self.after and not left:
-            shutil.rmtree(folder)
-            return
-        repeated = run(folder, self.resuming(files))
-        assert (repeated.status, contents(folder)) == (0, self.after), f'{where} {repeated.output}'
+        if files != self.after:
+            repeated = run(folder, self.resuming(files))
+            assert (repeated.status, contents(folder)) == (0, self.after), f'{where} {repeated.output}'
         shutil.rmtree(folder)
 
     def fail_each(self, each):
@@ -127,14 +125,16 @@ class Case:
         """Returns the command that goes on from what there is."""
         return [*(word for word in self.command if word != '--resume'), *['--resume'] * ('checkpoint' in files)]
 
-    @staticmethod
-    def may_fail(call, output):
-        """Whether a program may succeed without a call: nothing that is to be written is lost."""
+    def may_fail(self, call, output):
+        """Whether a program may succeed without a call: nothing that is to be written is lost. What a program appends
+        may be written when the file is closed."""
+        if call.kind == 'close' and call.path in self.growing:
+            return False
         return (call.kind not in NEEDED or call.path.endswith('.lock') or
-                (call.path.startswith('checkpoint') and '; the training goes on' in output))
+                ('train: checkpoint: ' in output and '; the training goes on' in output))
 
     def is_whole(self, name, content):
-        """Whether this is what a file was before, or a new version that is complete, as far as it is written at once."""
+        """Whether this is what a file was before, or a new version, complete unless the program appends to it."""
         old, new = (files.get(name, (b'', 0))[0] for files in (self.before, self.after))
         if content in (old, new, *self.versions.get(name, ())):
             return True
@@ -210,27 +210,27 @@ class CallsTest:
 
     @pytest.mark.parametrize('name', ['train', 'resume', 'evaluate', 'score', 'convert'])
     def test_each_call(self, request, name):
-        """Each one fails, and each read or write is done by half."""
+        """Each one fails, each read or write is done by half, and all fail from one on."""
         case = request.getfixturevalue(name)
         calls = case.finish().calls
         failing = [{'fail': number, 'error': REASONS[number % 3]} for number in range(1, len(calls) + 1)]
         failing += [{'fail': number, 'error': 0} for number, call in enumerate(calls, 1)
                     if call.kind in ('read', 'write')]
+        failing += [{'on': 1, 'fail': number, 'error': errno.EIO} for number in range(1, len(calls) + 1, 5)]
         case.fail_each(failing)
 
-    @pytest.mark.parametrize('name', ['train', 'resume', 'evaluate', 'score'])
+    @pytest.mark.parametrize('name', ['train', 'resume', 'score'])
     def test_allocations(self, request, name):
-        """Some of the first ones, and random ones."""
+        """Some at equal distances, and all from one on. There are no meshes: Recast crashes if its allocations fail."""
         case = request.getfixturevalue(name)
         count = case.finish().allocations
-        seed = random.randrange(10**6)
-        print(f'seed {seed}')
-        numbers = random.Random(seed).sample(range(1, count + 1), ALLOCATIONS)
+        numbers = range(1, count + 1, count // ALLOCATIONS)
         case.fail_each([{'allocation': number} for number in numbers])
+        case.fail_each([{'on': 1, 'allocation': number} for number in numbers[::3]])
 
 
 class PowerLossTest:
-    """After a loss of power at any time there is the old table or a new one, and a training goes on from a checkpoint."""
+    """At any time there is the old table or a new one, and the training goes on from its checkpoint."""
 
     def test_training(self, train):
         calls = train.finish().calls

@@ -7,7 +7,7 @@ import subprocess
 from programs import PATIENCE, read_text, tools_folder
 
 LIBRARY = os.path.join(tools_folder(), 'libfailing_calls.so')
-TEMPORARY = re.compile(r'\.social_crowd\.tmp[a-z0-9]{8}')
+TEMPORARY = re.compile(r'\.social_crowd\.tmp[a-z0-9]{8}|^\.|\.part$|\.lock$| \(deleted\)$')
 
 Call = collections.namedtuple('Call', 'kind path other data')
 Done = collections.namedtuple('Done', 'status output calls allocations')
@@ -25,7 +25,9 @@ def run(folder, command, **failing):
     lines = [line.replace(folder, '').split('\t') for line in read_text(log).splitlines()]
     os.remove(log)
     calls = [Call(kind, within(path), within(other), bytes.fromhex(data)) for kind, path, other, data in lines]
-    return Done(done.returncode, done.stdout.decode(errors='replace'), calls[:-1], int(calls[-1].other))
+    ended = calls and calls[-1].kind == 'allocations'  # not if it crashed
+    return Done(done.returncode, done.stdout.decode(errors='replace'), calls[:-1] if ended else calls,
+                int(calls[-1].other) if ended else None)
 
 
 def within(path):
@@ -35,7 +37,7 @@ def within(path):
 
 def target_of(path):
     """Returns the file that a call is for: not the temporary one in its place, nor its lock."""
-    return TEMPORARY.sub('', path).replace(' (deleted)', '').replace('.lock', '')
+    return TEMPORARY.sub('', path)
 
 
 def contents(folder):

@@ -78,7 +78,7 @@ TemporaryFile::~TemporaryFile() {
 
 /// Returns whether it has a file of this name. Not if there is one already, or if another process has taken the new one
 /// for one that was left, before it was locked.
-bool TemporaryFile::open(const std::string& name) {
+bool TemporaryFile::open(std::string name) {
   const mode_t mode = place_.status ? 0600 : 0666;  // until it has the mode of the file
   const int flags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   opened_ = Descriptor(::open(name.c_str(), flags, mode));  // NOLINT(*-vararg)
@@ -90,7 +90,7 @@ bool TemporaryFile::open(const std::string& name) {
     errno = EEXIST;
     return false;
   }
-  name_ = name;
+  name_ = std::move(name);  // a copy could fail, and the file would stay
   return true;
 }
 

@@ -29,7 +29,7 @@ class TemporaryFile {
   void replace();
 
  private:
-  bool open(const std::string& name);
+  bool open(std::string name);
   void takeMode();
 
   std::string file_;
