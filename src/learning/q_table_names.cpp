@@ -34,7 +34,7 @@ std::string findQTable(const std::string& name_or_file, const std::string& base)
   const fs::path file = fs::path(base) / path;
   const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == Q_TABLE_EXTENSION);
   std::error_code ignored;
-  if (!is_bare || (fs::exists(file, ignored) && !fs::is_directory(file, ignored))) {
+  if (!is_bare || mayBeFile(file.string())) {
     return base.empty() ? name_or_file : file.lexically_normal().string();
   }
   const fs::path folder = shippedQTables();

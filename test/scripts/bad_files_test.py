@@ -10,7 +10,7 @@ from programs import CIRCLE6, NEAREST_TABLE, read_text
 
 PATHS = 'instance,tick,agent,x,y\n' + ''.join(f'0,{tick},0,{tick / 10},0.5\n' for tick in range(9))
 LOG = 'episode,scenario,agents,success,decisions\n0,a,1,1,120\n1,a,1,1,120\n'
-ROBOTS = '{"tick_duration": 0.1, "robots": [{"radius": 0.2}]}\n{"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0}]}\n'
+ROBOTS = '{"tick_duration": 1, "robots": [{"radius": 0.2}]}\n{"tick": 0, "robots": [{"x": 0, "y": 0, "heading": 0}]}\n'
 OBSMAT = ''.join(f'{780 + 6 * step} {person} {step / 2} 0 {person} 0.1 0 0.2\n' for step in range(5)
                  for person in (1, 2))
 SCENE = '''<scenario>
@@ -21,8 +21,8 @@ SCENE = '''<scenario>
 SWEEP = f'q_table: {NEAREST_TABLE}\nseeds: 2\nevaluate: {{scenarios: [circle6], episodes: 1}}\n'
 # Module, arguments with FILE, and contents of a good file, by program.
 PROGRAMS = {
-    'plot_paths': ('crowd_drawing.paths_program', ['--trajectories', 'FILE', '--scenario', CIRCLE6, '--output', 'a.png'],
-                   PATHS),
+    'plot_paths': ('crowd_drawing.paths_program',
+                   ['--trajectories', 'FILE', '--scenario', CIRCLE6, '--output', 'a.png'], PATHS),
     'plot_learning': ('crowd_curves.program', ['FILE', '--output', 'a.png'], LOG),
     'film': ('crowd_film.program', ['--trajectories', 'FILE', CIRCLE6, '--output', 'a.gif'], PATHS),
     'report': ('crowd_report.program', ['FILE', '--output', 'a.html'], PATHS),

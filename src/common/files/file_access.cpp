@@ -144,6 +144,12 @@ std::string folderOf(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
+bool mayBeFile(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_type type = fs::status(path, ignored).type();
+  return type != fs::file_type::not_found && type != fs::file_type::directory;
+}
+
 std::vector<std::string> namesIn(const std::string& folder) {
   const std::unique_ptr<DIR, int (*)(DIR*)> opened(::opendir(folder.c_str()), &::closedir);
   std::vector<std::string> names;

@@ -46,6 +46,10 @@ bool isNameOf(const std::string& path, const Descriptor& opened);
 /// @brief Folder of a file, "." for a bare name.
 std::string folderOf(const std::string& path);
 
+/// @brief Whether there is anything but a folder, be it a pipe, or something of which the system tells nothing: reading
+/// it gives the reason.
+bool mayBeFile(const std::string& path);
+
 /// @brief Names of all that is in a folder, in any order; none if it cannot be read. Unlike std::filesystem's iterator,
 /// which ends the process, it throws if memory is short.
 std::vector<std::string> namesIn(const std::string& folder);

@@ -23,12 +23,6 @@ bool isFolder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
-/// Any file, be it a pipe.
-bool isFile(const fs::path& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored) && !isFolder(path);
-}
-
 /// A few levels above the library, as in PREFIX/lib/libNAME.so.
 fs::path installedScenarios() {
   std::error_code ignored;
@@ -66,7 +60,7 @@ std::vector<fs::path> withFolders(const fs::path& folder) {
 fs::path fileNamed(const std::string& name, const fs::path& folder) {
   for (const fs::path& one : withFolders(folder)) {
     fs::path file = one / (name + SCENARIO_EXTENSION);
-    if (isFile(file)) return file;
+    if (mayBeFile(file.string())) return file;
   }
   return {};
 }
@@ -115,7 +109,7 @@ std::string findScenario(const std::string& name_or_file, const std::string& bas
   const fs::path file = fs::path(base) / path;
   const bool is_bare = !path.has_parent_path() && (!path.has_extension() || path.extension() == SCENARIO_EXTENSION);
   const bool is_plainly_a_folder = !is_bare && isFolder(file);  // reported when it is read
-  if (isFile(file) || is_plainly_a_folder) return file.lexically_normal().string();
+  if (mayBeFile(file.string()) || is_plainly_a_folder) return file.lexically_normal().string();
   const fs::path named = is_bare ? fileNamed(path.stem().string(), folder) : fs::path();
   if (!named.empty()) return named.string();
   throwNoScenario(path, file, folder, is_bare);
