@@ -25,17 +25,17 @@ double extentOf(const OccupancyMap& map) {
   return map.origin.position.cwiseAbs().maxCoeff() + sides;
 }
 
-std::string sizeOf(const OccupancyMap& map) {
+std::string cellCounts(const OccupancyMap& map) {
   return std::to_string(map.width) + " x " + std::to_string(map.height) + " cells";
 }
 
 std::string problemOfSize(const OccupancyMap& map) {
-  if (map.width == 0 || map.height == 0) return "the map has no cells, expected at least one, got " + sizeOf(map);
+  if (map.width == 0 || map.height == 0) return "the map has no cells, expected at least one, got " + cellCounts(map);
   const std::uint64_t count = std::uint64_t{map.width} * map.height;
   if (count > limits::CELLS)
-    return "the map is too large: expected up to " + std::to_string(limits::CELLS) + " cells, got " + sizeOf(map);
+    return "the map is too large: expected up to " + std::to_string(limits::CELLS) + " cells, got " + cellCounts(map);
   if (count != map.cells.size())
-    return "the map has " + sizeOf(map) + ", expected " + std::to_string(count) + " values, got " +
+    return "the map has " + cellCounts(map) + ", expected " + std::to_string(count) + " values, got " +
            std::to_string(map.cells.size());
   return "";
 }
