@@ -1,17 +1,14 @@
 """What determines a row of the results, mostly as digests: the program, the Q-table, the scene, the controller, its
 keys, seed and episode. Rows with the same digest are the same, bit for bit, on all machines with the same libraries."""
-import functools
 import hashlib
 import json
-import math
 import typing
 
 from crowd_experiments.runs import RunError, output_of
 from crowd_experiments.scenario_files import files_behind
 
-FORMAT = 2  # of the results file
+FORMAT = 3  # of the results file
 DIGITS = 16  # of a digest
-SAMPLES, SPACING = 5000, 0.0007391  # arguments of functions
 VERSION = ('package', 'sources', 'compiler')  # words of `evaluate --version`
 
 
@@ -21,7 +18,6 @@ class Identity(typing.NamedTuple):
     package: str  # version
     program: str  # digest of the sources of `evaluate`, as it says itself
     compiler: str  # its version and flags, the same
-    math: str  # digest of what the functions of the C library give on this processor
     q_table: str
     scene: str  # digest of the scenario and all files that it names
     baseline: str  # name of the robot in tables
@@ -32,7 +28,7 @@ class Identity(typing.NamedTuple):
     scenario: str
 
     def computed_hash(self):
-        return digest_of(json.dumps([FORMAT, *self[1:7], *self[8:]]).encode())
+        return digest_of(json.dumps([FORMAT, *self[1:6], *self[7:]]).encode())
 
     def with_hash(self):
         return self._replace(hash=self.computed_hash())
@@ -55,18 +51,6 @@ def version_of(evaluate):
     return [words[name] for name in VERSION]
 
 
-@functools.lru_cache(maxsize=None)
-def math_digest():
-    """Returns a digest of values of functions of the C library, which has other code for processors without fused
-    operations; it may differ in the last bit."""
-    values = []
-    for i in range(-SAMPLES, SAMPLES):
-        x = i * SPACING
-        values += [math.sin(x), math.cos(x), math.tan(x), math.exp(x), math.log(abs(x) + SPACING), math.atan2(x, x - 1),
-                   abs(x)**SPACING, math.hypot(x, 1)]
-    return digest_of(*(value.hex().encode() for value in values))
-
-
 def scene_digest(file):
     """Returns a digest of a scenario file and of the files behind it. It does not depend on the folders that they are
     in."""
@@ -77,12 +61,12 @@ class Inputs:
     """The digests of what is here now, computed once."""
 
     def __init__(self, suite):
-        self.version, self.math = version_of(suite.evaluate), math_digest()
+        self.version = version_of(suite.evaluate)
         self.q_table = digest_of(suite.q_table.read_bytes())
         self.scenes = {name: scene_digest(file) for name, file in suite.scenes.items()}
 
     def identity(self, name, baseline, scene, seed, episode):
         """Returns the identity of an episode of a robot, which has a name in tables."""
         keys = json.dumps(baseline.keys, sort_keys=True)
-        return Identity('', *self.version, self.math, self.q_table, self.scenes[scene], name, baseline.controller, keys,
+        return Identity('', *self.version, self.q_table, self.scenes[scene], name, baseline.controller, keys,
                         str(seed), str(episode), scene).with_hash()

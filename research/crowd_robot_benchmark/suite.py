@@ -9,7 +9,7 @@ from crowd_experiments.scenario_files import files_named_in
 from crowd_experiments.tools import REPOSITORY
 from crowd_robots.driving import DRIVEN
 
-from .identity import math_digest, scene_digest
+from .identity import scene_digest
 
 RECORD = 'robots.csv'  # in a run's folder
 DRIVER = REPOSITORY / 'scripts' / 'drive_robots'
@@ -91,7 +91,7 @@ class Suite(typing.NamedTuple):
         baseline = ROBOTS[robot]
         command = self.command(baseline.controller, {**baseline.keys, **keys}, scene, episodes)
         return Run(self.output / 'runs' / robot / name, [command], float(episodes),
-                   (math_digest(), scene_digest(self.scenes[scene])))
+                   (scene_digest(self.scenes[scene]),))
 
     def command(self, controller, keys, scene, episodes, first=0, seed=SEED):
         """Returns the command of `evaluate` for episodes of a scene, from the number `first` on."""

@@ -13,7 +13,7 @@ from .identity import Inputs
 from .results import read_results, record_rows
 from .suite import RECORD, Baseline, Suite, scene_files
 
-INPUTS = ('package', 'program', 'compiler', 'math', 'q_table', 'scene')
+INPUTS = ('package', 'program', 'compiler', 'q_table', 'scene')
 ROWS = 20
 ALL = 'all'
 EPILOG = '''examples:

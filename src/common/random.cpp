@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
+
 namespace crowd {
 double KeyedRandom::uniform(double low, double high) {
   const double drawn = low + (high - low) * uniform();
@@ -11,8 +13,8 @@ double KeyedRandom::uniform(double low, double high) {
 
 double KeyedRandom::normal() {
   constexpr double FULL_CIRCLE = 6.28318530717958647692;
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-  return radius * std::cos(FULL_CIRCLE * uniform());
+  const double radius = std::sqrt(-2.0 * portable::log(1.0 - uniform()));
+  return radius * portable::cos(FULL_CIRCLE * uniform());
 }
 
 std::uint32_t KeyedRandom::below(std::uint32_t count) {

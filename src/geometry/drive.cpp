@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
+
 namespace crowd {
 namespace {
 
@@ -22,7 +24,7 @@ Twist feasible(Drive drive, const DriveLimits& limits, Twist twist) {
 }
 
 /// sin(x) / x.
-double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
+double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : portable::sin(x) / x; }
 
 }  // namespace
 

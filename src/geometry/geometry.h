@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "common/portable_math.h"
+
 namespace crowd {
 
 /// @brief Points and vectors of the ground plane [m]; x forward or east, y left or north (REP 103).
@@ -38,10 +40,10 @@ inline double wrapAngle(double angle) {
 }
 
 /// @brief Direction of a vector [rad], in [-pi, pi]; 0 for the zero vector.
-inline double bearingOf(const Vector2& v) { return std::atan2(v.y(), v.x()); }
+inline double bearingOf(const Vector2& v) { return portable::atan2(v.y(), v.x()); }
 
 /// @brief Unit vector in the direction of a heading [rad].
-inline Vector2 unitVector(double heading) { return {std::cos(heading), std::sin(heading)}; }
+inline Vector2 unitVector(double heading) { return {portable::cos(heading), portable::sin(heading)}; }
 
 /// @brief z component of the cross product: positive if b lies to the left of a.
 inline double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
 #include "common/text/numbers.h"
 #include "geometry/limits.h"
 
@@ -17,7 +18,7 @@ constexpr double LEAST_LIMIT = 0.01;  // of all limits; at 1.3 m/s such brakes t
 Vector2 withinAngle(const Vector2& from, const Vector2& to, double angle) {
   if (to == Vector2::Zero() || std::abs(bearingOf(to)) <= angle) return to;
   if (angle >= 0.5 * PI) return Vector2::Zero();
-  const Vector2 boundary(std::cos(angle), to.y() < 0.0 ? -std::sin(angle) : std::sin(angle));
+  const Vector2 boundary(portable::cos(angle), to.y() < 0.0 ? -portable::sin(angle) : portable::sin(angle));
   const double before = std::abs(cross(boundary, from));
   const double after = std::abs(cross(boundary, to));
   const Vector2 last = from + before / (before + after) * (to - from);
@@ -42,7 +43,7 @@ Vector2 MotionLimits::reachable(const Vector2& velocity, const Vector2& wanted, 
   const double along = ahead.dot(change);
   const double most_along = tick_duration * (along < 0.0 && speed > 0.0 ? braking : acceleration);
   const double most_across = tick_duration * acceleration;
-  const double excess = std::hypot(along / most_along, cross(ahead, change) / most_across);
+  const double excess = Vector2(along / most_along, cross(ahead, change) / most_across).norm();
   const Vector2 reached = excess > 1.0 ? Vector2(velocity + change / excess) : wanted;
   return turn_rate < INFINITE ? withinAngle(velocity, reached, turn_rate * tick_duration) : reached;
 }

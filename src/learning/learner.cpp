@@ -5,6 +5,8 @@
 namespace crowd {
 namespace {
 
+constexpr std::size_t PART = 128;  // [agents] for which a thread decides at once
+
 Mirror mirrorFor(const Model& model, const LearningParameters& parameters) {
   return parameters.mirrored ? Mirror(*model.state_set, *model.action_set) : Mirror();
 }
@@ -79,7 +81,7 @@ void Learner::forgetDeparted(const Perceptions& perceptions) {
   most_known_ = 2 * places_.size() + FEW_AGENTS;
 }
 
-void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
+void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, ThreadPool& thread_pool) {
   if (!began_ || perceptions.episode != episode_) beginEpisode(perceptions.episode);
   actions.episode = perceptions.episode;
   actions.tick = perceptions.tick;
@@ -93,7 +95,7 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
       memory.tick = perceptions.tick;
     }
     forgetDeparted(perceptions);
-    return decideGreedily(perceptions, workspace_, actions.agents);
+    return decideInParts(perceptions, actions.agents, thread_pool);
   }
   // All agents learn before any agent decides, so that all decisions of a tick use the same table.
   workspace_.choices.clear();
@@ -109,11 +111,39 @@ void Learner::decide(const Perceptions& perceptions, RelativeActions& actions) {
 void Learner::decideGreedily(const Perceptions& perceptions, DecisionWorkspace& workspace,
                              std::vector<AgentAction>& actions) const {
   workspace.choices.clear();
-  if (perceptions.last) return;
+  if (!perceptions.last) decideSome(perceptions, 0, perceptions.agents.size(), workspace, actions);
+}
+
+void Learner::decideInParts(const Perceptions& perceptions, std::vector<AgentAction>& actions,
+                            ThreadPool& thread_pool) {
+  const std::size_t agents = perceptions.agents.size();
+  if (perceptions.last || thread_pool.runsInCaller(agents, ThreadPool::FEW_SHORT_ITEMS))
+    return decideGreedily(perceptions, workspace_, actions);
+  parts_.resize((agents + PART - 1) / PART);
+  workspaces_.resize(thread_pool.count());
+  thread_pool.run(parts_.size(), [&](unsigned worker, std::size_t begin, std::size_t end) {
+    DecisionWorkspace& workspace = workspaces_[worker];
+    for (std::size_t i = begin; i < end; ++i) {
+      parts_[i].actions.clear();
+      workspace.choices.clear();
+      decideSome(perceptions, i * PART, std::min((i + 1) * PART, agents), workspace, parts_[i].actions);
+      parts_[i].choices.swap(workspace.choices);
+    }
+  });
+  workspace_.choices.clear();
+  for (const Part& part : parts_) {
+    actions.insert(actions.end(), part.actions.begin(), part.actions.end());
+    workspace_.choices.insert(workspace_.choices.end(), part.choices.begin(), part.choices.end());
+  }
+}
+
+/// Decides for the agents begin .. end - 1 in demo mode.
+void Learner::decideSome(const Perceptions& perceptions, std::size_t begin, std::size_t end,
+                         DecisionWorkspace& workspace, std::vector<AgentAction>& actions) const {
   const auto place_of = [this](AgentId agent) { return placeOf(agent); };
   // One batch after the other, whose data stay in the cache.
-  for (std::size_t first = 0; first < perceptions.agents.size(); first += MAX_BATCH) {
-    perceive(perceptions, first, std::min(first + MAX_BATCH, perceptions.agents.size()), place_of, workspace);
+  for (std::size_t first = begin; first < end; first += MAX_BATCH) {
+    perceive(perceptions, first, std::min(first + MAX_BATCH, end), place_of, workspace);
     findRows(workspace);
     answer(workspace, actions, [&](std::size_t k) {
       const double tie = tieOf(perceptions, workspace.seen[k].self.agent);

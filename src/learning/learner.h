@@ -12,6 +12,7 @@
 #include "avoidance/perception_batch.h"
 #include "common/random.h"
 #include "common/text/enum_names.h"
+#include "common/thread_pool.h"
 #include "learning/agent_share.h"
 #include "learning/decision_values.h"
 #include "learning/model.h"
@@ -85,7 +86,9 @@ class Learner {
   /// @brief In training mode, learns from the outcome of the last decisions. Then decides for every served agent that
   /// has not arrived, unless the episode is over (perceptions.last). `actions` is overwritten, and its capacity is
   /// reused.
-  void decide(const Perceptions& perceptions, RelativeActions& actions);
+  /// @param thread_pool its threads share the decisions of demo mode, which do not depend on their number
+  void decide(const Perceptions& perceptions, RelativeActions& actions,
+              ThreadPool& thread_pool = ThreadPool::callerOnly());
 
   /// @brief Decides as decide() does in demo mode, without recording new agents.
   /// @param actions the decisions are appended; undefined after an exception
@@ -167,6 +170,12 @@ class Learner {
     AgentPerception before;
   };
 
+  /// The decisions for some agents, made by one thread.
+  struct Part {
+    std::vector<AgentAction> actions;
+    std::vector<Choice> choices;
+  };
+
   /// Returns the place of an agent; TableStore::BASE if it is unknown.
   std::uint32_t placeOf(AgentId agent) const {
     const auto found = places_.find(agent);
@@ -183,6 +192,10 @@ class Learner {
   template <typename PlaceOf>
   void perceive(const Perceptions& perceptions, std::size_t first, std::size_t last, const PlaceOf& place_of,
                 DecisionWorkspace& workspace) const;
+  void decideSome(const Perceptions& perceptions, std::size_t begin, std::size_t end, DecisionWorkspace& workspace,
+                  std::vector<AgentAction>& actions) const;
+  /// Decides for all agents in demo mode, in parts that threads share.
+  void decideInParts(const Perceptions& perceptions, std::vector<AgentAction>& actions, ThreadPool& thread_pool);
   void findRows(DecisionWorkspace& workspace) const;
   void learn(const Perceptions& perceptions);
   void learnOne(const Perception& seen, const Perceptions& perceptions, const Rows& rows, std::uint32_t place);
@@ -217,6 +230,8 @@ class Learner {
   std::vector<std::uint32_t> free_places_;             // of agents that were forgotten
   std::size_t most_known_ = FEW_AGENTS;                // with more, forgetDeparted() looks for agents that have left
   DecisionWorkspace workspace_;
+  std::vector<Part> parts_;
+  std::vector<DecisionWorkspace> workspaces_;  // of the threads that decide in parts
 };
 
 }  // namespace crowd

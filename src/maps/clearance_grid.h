@@ -61,7 +61,7 @@ class ClearanceGrid {
     for (int dy = -reach; dy <= reach; ++dy) {
       for (int dx = -reach; dx <= reach; ++dx) {
         const Index at = offset(point, dx, dy);
-        if (at != OUTSIDE && spacing_ * std::hypot(dx, dy) <= distance) visit(at);
+        if (at != OUTSIDE && spacing_ * std::sqrt(dx * dx + dy * dy) <= distance) visit(at);
       }
     }
   }

@@ -7,6 +7,7 @@
 #include <new>
 #include <string>
 
+#include "common/portable_math.h"
 #include "common/text/numbers.h"
 #include "meshes/polygon_mesh.h"
 #include "social_crowd/errors.h"
@@ -130,7 +131,7 @@ void NavigationMesh::Data::findTurningPoints() {
       };
       const Vector2 to_last = position(k + corners - 1) - position(k);
       const Vector2 to_next = position(k + 1) - position(k);
-      angles[polygon.verts[k]] += std::atan2(std::abs(cross(to_last, to_next)), to_last.dot(to_next));
+      angles[polygon.verts[k]] += portable::atan2(std::abs(cross(to_last, to_next)), to_last.dot(to_next));
       if (polygon.neis[k] == 0) {
         is_turning_point_[polygon.verts[k]] = 1;
         is_turning_point_[polygon.verts[(k + 1) % corners]] = 1;

@@ -99,7 +99,7 @@ std::size_t RegionOutliner::farthest(std::size_t from) const {
   const Corner& a = steps_[from].corner;
   for (std::size_t to = from + 2; to <= steps_.size() && !steps_[to - 1].isShared(); ++to) {
     const Corner& b = steps_[to % steps_.size()].corner;
-    const double longest = MAX_CUT * std::hypot(b.x - a.x, b.y - a.y);
+    const double longest = MAX_CUT * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
     const bool cuts = std::all_of(steps_.begin() + static_cast<std::ptrdiff_t>(from) + 1,
                                   steps_.begin() + static_cast<std::ptrdiff_t>(to), [&](const Step& step) {
                                     const std::int64_t side = turn(a, b, step.corner);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/portable_math.h"
 #include "navigation/remaining_path.h"
 #include "navigation/sliding.h"
 
@@ -23,7 +24,7 @@ constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all di
 
 Vector2 priorityDirection(double time) {
   const double angle = AXIS_TURN * std::floor(time / DeadlockResolver::TURN_TIME);
-  return {std::cos(angle), std::sin(angle)};
+  return {portable::cos(angle), portable::sin(angle)};
 }
 
 /// Direction to the point of a path at LOOKAHEAD: agents in front of a door all walk in the same direction.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
+
 namespace crowd {
 namespace {
 
@@ -169,8 +171,8 @@ void GroupWalking::arrange(std::vector<Walker>& walkers, std::size_t columns, do
     const double middle = 0.5 * static_cast<double>(end - begin - 1);
     for (auto walker = begin; walker != end; ++walker) {
       const double column = static_cast<double>(walker - begin) - middle;
-      walker->place = {spacing * std::sin(bend) * std::abs(column) - ROW_DISTANCE * static_cast<double>(row),
-                       spacing * std::cos(bend) * column};
+      walker->place = {spacing * portable::sin(bend) * std::abs(column) - ROW_DISTANCE * static_cast<double>(row),
+                       spacing * portable::cos(bend) * column};
       mean += walker->place / static_cast<double>(walkers.size());
     }
   }

@@ -1,8 +1,8 @@
 #include "population/distraction.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "common/portable_math.h"
 #include "scenario/population_spec.h"
 
 namespace crowd {
@@ -37,7 +37,7 @@ void Distraction::end(AgentId id, World& world) {
 /// Draws the time from now on until the person is distracted or attentive again [s].
 double Distraction::drawInterval(Person& person) {
   if (person.is_distracted) return person.pauses.duration.draw(person.random);
-  return -std::log1p(-person.random.uniform()) * person.pauses.every;
+  return -portable::log(1.0 - person.random.uniform()) * person.pauses.every;
 }
 
 void Distraction::apply(const Person& person, World& world) {

@@ -1,6 +1,6 @@
 #include "population/source_schedule.h"
 
-#include <cmath>
+#include "common/portable_math.h"
 
 namespace crowd {
 SourceSchedule::SourceSchedule(const SourceDescription& source, const KeyedRandom& random)
@@ -22,7 +22,7 @@ double SourceSchedule::timeOf(std::uint64_t number, double before) const {
   if (source_->regular) {
     time = source_->from + static_cast<double>(number) / *source_->rate;
   } else {
-    time = before - std::log1p(-random_.with(number).uniform()) / *source_->rate;
+    time = before - portable::log(1.0 - random_.with(number).uniform()) / *source_->rate;
   }
   return time < source_->until ? time : INFINITE;
 }

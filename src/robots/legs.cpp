@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
+
 namespace crowd {
 namespace {
 
@@ -18,7 +20,7 @@ void addLegs(const Pose& pose, double walked, double radius, BodyNumber body, st
   const double room = radius - leg;  // for the centres of the legs
   const double aside = std::min(HALF_WIDTH, room);
   const double swing = std::min(SWING, std::sqrt(std::max(0.0, room * room - aside * aside)));
-  const double ahead = swing * std::sin(2.0 * PI * walked / CYCLE);
+  const double ahead = swing * portable::sin(2.0 * PI * walked / CYCLE);
   const Rotation frame(pose.heading);
   for (const double side : {1.0, -1.0}) {
     targets.push_back({pose.position + frame.outOfFrame({side * ahead, side * aside}), leg, body});

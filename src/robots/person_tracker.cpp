@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "common/portable_math.h"
+
 namespace crowd {
 namespace {
 
@@ -19,7 +21,8 @@ constexpr double TICK_ROUNDING = 1e-9;  // of a number of ticks
 /// The number of events of a Poisson process in a time in which `mean` are expected.
 std::uint64_t drawCount(KeyedRandom& random, double mean) {
   std::uint64_t count = 0;
-  for (double time = -std::log(1.0 - random.uniform()); time < mean; time -= std::log(1.0 - random.uniform())) ++count;
+  for (double time = -portable::log(1.0 - random.uniform()); time < mean; time -= portable::log(1.0 - random.uniform()))
+    ++count;
   return count;
 }
 

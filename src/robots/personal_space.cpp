@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
+
 namespace crowd {
 namespace {
 
@@ -12,7 +14,7 @@ Vector2 directionOf(const Vector2& velocity) {
 }
 
 double reachOf(const PersonalSpaceSpec& spec) {
-  return spec.cutoff > spec.amplitude ? -1.0 : std::sqrt(2.0 * std::log(spec.amplitude / spec.cutoff));
+  return spec.cutoff > spec.amplitude ? -1.0 : std::sqrt(2.0 * portable::log(spec.amplitude / spec.cutoff));
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ double PersonalSpace::costAt(const Vector2& point) const {
   const Vector2 local = frame_.intoFrame(point - place_);
   const double along = local.x() < 0.0 ? local.x() / spec_.spread : std::max(0.0, local.x() - way_) / spread_ahead_;
   const double across = local.y() / spec_.spread;
-  const double cost = spec_.amplitude * std::exp(-0.5 * (along * along + across * across));
+  const double cost = spec_.amplitude * portable::exp(-0.5 * (along * along + across * across));
   return cost < spec_.cutoff ? 0.0 : cost;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
 #include "robots/scan.h"
 #include "robots/steering.h"
 
@@ -58,7 +59,7 @@ Way bestWay(const std::vector<Vector2>& points, const Vector2& goal, double radi
     const double turn = (i % 2 == 0 ? 2.0 : -2.0) * PI * step / HEADINGS;
     const double heading = wrapAngle(to_goal + turn);
     const double free = std::min(freeLength(points, unitVector(heading), radius), goal.norm());
-    const double score = std::cos(turn) * free;
+    const double score = portable::cos(turn) * free;
     if (score <= best_score) continue;
     best_score = score;
     best = {heading, free};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
 #include "geometry/ray.h"
 #include "robots/scan.h"
 
@@ -122,7 +123,7 @@ std::vector<ScanPoint> scanRings(const ScanSpec& spec, const Pose& sensor, const
     const Vector2 unit = unitVector(spec.first_angle + i * increment);
     const std::vector<Crossing>& crossings = scan.crossingsAt(unit);
     for (std::uint32_t ring = 0; ring < spec.rings; ++ring) {
-      const double slope = std::tan(elevationOf(spec, ring));
+      const double slope = portable::tan(elevationOf(spec, ring));
       const double stretch = std::sqrt(1.0 + slope * slope);  // of a horizontal distance
       Meeting nearest;
       if (slope < 0.0) nearest = {-spec.height / slope, solids::FLOOR_REFLECTION * -slope / stretch};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
+
 namespace crowd {
 namespace {
 
@@ -62,7 +64,7 @@ void Scanner::castAt(const ScanTarget& target) {
   if (!(offset.squaredNorm() <= reach * reach)) return;
   const double distance = offset.norm();
   const double bearing = positiveAngle(bearingOf(offset) - first_bearing_);
-  const double half = distance > target.radius ? std::asin(target.radius / distance) : PI;
+  const double half = distance > target.radius ? portable::asin(target.radius / distance) : PI;
   forEachBetween(bearing - half, bearing + half,
                  [&](std::size_t i) { note(i, distanceAlong(rays_[i], target.centre, target.radius), target.body); });
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
+
 namespace crowd::social_force {
 namespace {
 
@@ -24,17 +26,17 @@ Vector2 bodyForce(const Neighbour& body, double radius) {
   const double semi_axis = 0.5 * std::sqrt(std::max(0.0, sum * sum - step.squaredNorm()));
   if (far < LEAST_DISTANCE || semi_axis < LEAST_DISTANCE) return REPULSION / RANGE * away;  // it is on its way
   const Vector2 gradient = sum / (4.0 * semi_axis) * (from_body / near + from_step / far);
-  return REPULSION / RANGE * std::exp(-semi_axis / RANGE) * gradient;
+  return REPULSION / RANGE * portable::exp(-semi_axis / RANGE) * gradient;
 }
 
 Vector2 wallForce(const Segment& wall) {
   const Vector2 away = -nearestPoint(wall, Vector2::Zero());
   const double distance = std::max(LEAST_DISTANCE, away.norm());
-  return WALL_REPULSION / WALL_RANGE * std::exp(-distance / WALL_RANGE) / distance * away;
+  return WALL_REPULSION / WALL_RANGE * portable::exp(-distance / WALL_RANGE) / distance * away;
 }
 
 double sightWeight(const Vector2& direction, const Vector2& force) {
-  return -direction.dot(force) >= std::cos(SIGHT) * direction.norm() * force.norm() ? 1.0 : UNSEEN_SHARE;
+  return -direction.dot(force) >= portable::cos(SIGHT) * direction.norm() * force.norm() ? 1.0 : UNSEEN_SHARE;
 }
 
 }  // namespace crowd::social_force

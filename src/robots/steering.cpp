@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/portable_math.h"
+
 namespace crowd {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr double LEAST_TURNING_SPEED = 0.2;  // of a robot that cannot
 
 Twist steer(Drive drive, double bearing, double speed) {
   if (drive == Drive::HOLONOMIC) return {speed * unitVector(bearing), 0.0};
-  const double ahead = std::max(0.0, std::cos(bearing));
+  const double ahead = std::max(0.0, portable::cos(bearing));
   const bool turns_on_the_spot = drive != Drive::ACKERMANN;
   const double share =
       turns_on_the_spot ? (std::abs(bearing) < AHEAD ? ahead : 0.0) : std::max(LEAST_TURNING_SPEED, ahead);

@@ -1,7 +1,6 @@
 #include "learning/rewards/thesis_reward.h"
 
 #include <array>
-#include <cmath>
 
 #include "common/text/numbers.h"
 #include "learning/states/distance_classes.h"
@@ -15,7 +14,8 @@ constexpr double FALL_PER_CLASS = 100.0;  // 10^2, (3.8) and (3.9)
 /// 1000.
 std::array<double, DistanceClasses::COUNT + 1> penaltiesByClass(double nearest) {
   std::array<double, DistanceClasses::COUNT + 1> penalties{};
-  for (std::size_t i = 1; i < penalties.size(); ++i) penalties[i] = nearest / std::pow(FALL_PER_CLASS, i - 1);
+  double penalty = nearest;
+  for (std::size_t i = 1; i < penalties.size(); ++i, penalty /= FALL_PER_CLASS) penalties[i] = penalty;
   return penalties;
 }
 

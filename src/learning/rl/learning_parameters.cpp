@@ -1,10 +1,9 @@
 #include "learning/rl/learning_parameters.h"
 
-#include <cmath>
-
 #include <array>
 #include <utility>
 
+#include "common/portable_math.h"
 #include "common/text/numbers.h"
 #include "common/text/quotes.h"
 
@@ -40,7 +39,7 @@ std::string LearningParameters::problems() const {
 double EpsilonSchedule::at(std::uint64_t episode) const {
   if (episode >= episodes) return last;
   const double fraction = static_cast<double>(episode) / static_cast<double>(episodes);
-  if (shape == Shape::EXPONENTIAL) return first * std::pow(last / first, fraction);
+  if (shape == Shape::EXPONENTIAL) return first * portable::pow(last / first, fraction);
   return first + fraction * (last - first);
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <string>
 
+#include "common/portable_math.h"
 #include "common/text/enum_names.h"
 #include "common/text/number_range.h"
 
@@ -35,7 +35,7 @@ struct LearningParameters {
   /// @brief Returns the learning rate of visit number `visits` of a row and action, counted from 1.
   double learningRate(std::uint32_t visits) const {
     if (alpha_decay <= 0.0) return alpha;
-    return std::max(alpha, std::pow(static_cast<double>(visits), -alpha_decay));
+    return std::max(alpha, portable::pow(static_cast<double>(visits), -alpha_decay));
   }
   /// @brief Returns a message that lists the values out of range; empty if there are none.
   std::string problems() const;

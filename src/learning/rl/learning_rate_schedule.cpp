@@ -1,6 +1,6 @@
 #include "learning/rl/learning_rate_schedule.h"
 
-#include <cmath>
+#include "common/portable_math.h"
 
 namespace crowd {
 namespace {
@@ -23,7 +23,7 @@ double LearningRateSchedule::retainedWeight(std::uint32_t first, std::uint32_t l
   for (std::uint32_t done = first; done < last; ++done) {
     const double step = at(done + 1);
     // All further learning rates are alpha.
-    if (step <= parameters_.alpha) return kept * std::pow(1.0 - parameters_.alpha, last - done);
+    if (step <= parameters_.alpha) return kept * portable::pow(1.0 - parameters_.alpha, last - done);
     kept *= 1.0 - step;
   }
   return kept;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "common/portable_math.h"
 #include "common/text/numbers.h"
 #include "geometry/limits.h"
 #include "simd/kernels.h"
@@ -26,7 +27,7 @@ simd::ClassDigit digitOf(const MoveFeatures::Lanes& values, const std::vector<fl
 AnticipationStates::AnticipationStates(const Parameters& parameters, Action actions)
     : parameters_(parameters), actions_(actions) {
   std::vector<double> turns;
-  for (const double turn : parameters.turns) turns.push_back(-std::cos(toRadians(turn)));
+  for (const double turn : parameters.turns) turns.push_back(-portable::cos(toRadians(turn)));
   addLimits(parameters.reciprocal_times, reciprocal_times_);
   addLimits(parameters.constant_velocity_times, constant_velocity_times_);
   addLimits(parameters.static_times, static_times_);

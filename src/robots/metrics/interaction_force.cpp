@@ -1,5 +1,7 @@
 #include "robots/metrics/interaction_force.h"
 
+#include "common/portable_math.h"
+
 namespace crowd {
 namespace {
 
@@ -26,12 +28,12 @@ Vector2 interactionForce(const ForceBody& on, const ForceBody& from) {
   const Vector2 ahead = interaction / strength;
   const double range = RANGE_FACTOR * strength;
   const double angle = wrapAngle(bearingOf(way) - bearingOf(ahead));
-  const double slowing = -std::exp(-apart / range - square(SLOWING * range * angle));
-  const double turning = -std::exp(-apart / range - square(TURNING * range * angle));
+  const double slowing = -portable::exp(-apart / range - square(SLOWING * range * angle));
+  const double turning = -portable::exp(-apart / range - square(TURNING * range * angle));
   const double side = angle == 0.0 ? 0.0 : std::copysign(1.0, angle);
   return SOCIAL_FACTOR * (slowing * ahead + side * turning * Vector2(-ahead.y(), ahead.x()));
 }
 
-double obstacleForce(double clearance) { return OBSTACLE_FACTOR * std::exp(-clearance / OBSTACLE_RANGE); }
+double obstacleForce(double clearance) { return OBSTACLE_FACTOR * portable::exp(-clearance / OBSTACLE_RANGE); }
 
 }  // namespace crowd

@@ -91,6 +91,7 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   read.misses_until_absent =
       static_cast<int>(parameters.whole("misses_until_absent", read.misses_until_absent,
                                         static_cast<std::int64_t>(misses.low), static_cast<std::int64_t>(misses.high)));
+  read.threads = readThreads(parameters);
   read.agents_rate = parameters.number("agents_rate", read.agents_rate, ControllerParameters::AGENTS_RATE);
   read.diagnostic_period = readDiagnosticPeriod(parameters);
   read.publish_tf = parameters.flag("publish_tf", read.publish_tf);

@@ -35,6 +35,7 @@ struct ControllerParameters {
   double start_deadline = 30.0;      ///< ~start_deadline: timeout for learners that never answered [s]
   double answer_deadline = 1.0;      ///< ~answer_deadline: timeout for an answer [s], wall clock
   int misses_until_absent = 3;       ///< ~misses_until_absent: consecutive missed answers until an agent is absent
+  unsigned threads = 1;              ///< ~threads: that share the agents of a tick
   double agents_rate = 50.0;         ///< ~agents_rate: maximum rate of agents and tf [Hz]; 0: every tick
   bool publish_tf = false;           ///< ~publish_tf: map -> agent_<id>
   bool publish_clock = false;        ///< ~publish_clock: simulated time on /clock

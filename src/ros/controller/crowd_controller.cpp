@@ -36,6 +36,7 @@ CrowdController::CrowdController(const ros::NodeHandle& node, const ros::NodeHan
       name_(private_node.getNamespace()),
       robots_(loop_, node_, parameters_, [this] { return broadcaster_.header().stamp; }),
       seed_(parameters_.seed),
+      thread_pool_(parameters_.threads),
       status_(node_, [this] { return status(); }),
       reconfigure_(loop_.adopt(private_node), live_.descriptions(), live_.valuesOf(ControllerParameters()),
                    {[this] { return live_.valuesOf(parameters_); },
@@ -151,7 +152,7 @@ void CrowdController::takeMap(const nav_msgs::OccupancyGrid& message) {
 
 void CrowdController::beginEpisode() {
   cut_off_ = true;
-  episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision(), ThreadPool::callerOnly(), stop_);
+  episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision(), thread_pool_, stop_);
   answers_.cancel();
   robots_.begin(*episode_);
   trajectory_.clear();

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "common/thread_pool.h"
 #include "ros/controller/answer_collector.h"
 #include "ros/controller/controller_diagnostics.h"
 #include "ros/controller/controller_parameters.h"
@@ -129,6 +130,7 @@ class CrowdController final : private Decider {
   std::shared_ptr<const OccupancyMap> map_;  // from ~map_topic, in place of those of the scenarios; null: none so far
   std::vector<Segment> map_walls_;           // of this map
   std::uint64_t seed_;
+  ThreadPool thread_pool_;  // used by the episode
   std::unique_ptr<Episode> episode_;
   std::uint64_t next_episode_ = 0;  // never repeats, so that an old answer cannot be mistaken for a new one
   std::uint64_t instance_ = 0;      // since the scenario was loaded or reset

@@ -28,6 +28,7 @@ LearnerNode::LearnerNode(const ros::NodeHandle& node, const ros::NodeHandle& pri
       save_to_(parameters.save_to),
       data_folder_(parameters.data_folder),
       save_every_(parameters.save_every),
+      thread_pool_(parameters.threads),
       learner_(parameters.table.model, parameters.options, std::move(parameters.table.table)),
       limiter_(learner_.model().vision()),
       // Latched, because the first answer may be published before the controller has connected.
@@ -100,7 +101,7 @@ void LearnerNode::answer(const PerceptionsMessage& message) {
   episode_ = perceptions.episode;
   tick_ = perceptions.tick;
   const ActionsMessage::Ptr reply = replies_.next();
-  learner_.decide(perceptions, reply->content);
+  learner_.decide(perceptions, reply->content, thread_pool_);
   answered_ += reply->content.agents.size();
   if (!reply->content.agents.empty()) {
     answered_turn_ = perceptions.turn;

@@ -93,6 +93,7 @@ class LearnerNode {
   std::string save_to_;
   const DataFolder data_folder_;
   std::uint64_t save_every_;
+  ThreadPool thread_pool_;
   Learner learner_;
   PerceptionLimiter limiter_;
 

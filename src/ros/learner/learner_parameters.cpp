@@ -166,15 +166,21 @@ LearnerParameters readLearnerParameters(const ros::NodeHandle& private_node) {
   }
   const DataFolder data_folder = readDataFolder(parameters);
   const double diagnostic_period = readDiagnosticPeriod(parameters);
+  const unsigned threads = readThreads(parameters);
   parameters.finish();
 
   const Model model = config ? config->model : table->model;
   const std::uint64_t decisions = table ? table->decisions : 0;
   QTable values = table ? table->table : QTable(model.state_set->rowCount(), model.action_set->size());
-  return {options,           {model, options.plan.parameters, decisions, options.seed, std::move(values)},
-          on_share,          save_to,
-          data_folder,       save_to.empty() ? 0 : save_every,
-          diagnostic_period, findWarnings(options.mode, config, save_to)};
+  return {options,
+          {model, options.plan.parameters, decisions, options.seed, std::move(values)},
+          on_share,
+          save_to,
+          data_folder,
+          save_to.empty() ? 0 : save_every,
+          diagnostic_period,
+          threads,
+          findWarnings(options.mode, config, save_to)};
 }
 
 }  // namespace crowd

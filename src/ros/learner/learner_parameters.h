@@ -21,6 +21,7 @@ struct LearnerParameters {
   DataFolder data_folder;                        ///< ~data_folder, ~allow_any_path: files that services may name
   std::uint64_t save_every = 0;                  ///< ~save_every: also written after this number of episodes; 0: never
   double diagnostic_period = DIAGNOSTIC_PERIOD;  ///< ~diagnostic_period [s]
+  unsigned threads = 1;                          ///< ~threads: that share the decisions of a tick in demo mode
   std::vector<std::string> warnings;             ///< to be printed at the start
 };
 

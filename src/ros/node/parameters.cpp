@@ -11,6 +11,7 @@
 #include "common/text/quotes.h"
 #include "common/text/suggestions.h"
 #include "common/text/yaml_reader.h"
+#include "common/thread_pool.h"
 
 namespace crowd {
 namespace {
@@ -214,6 +215,11 @@ void Parameters::finish() {
   std::string text = "bad parameters of " + namespace_ + ":";
   for (const std::string& problem : problems_) text += "\n  " + problem;
   throw InputError(text);
+}
+
+unsigned readThreads(Parameters& parameters) {
+  constexpr std::int64_t MOST = 1024;
+  return ThreadPool::countFor(static_cast<unsigned>(parameters.whole("threads", 0, 0, MOST)));
 }
 
 }  // namespace crowd

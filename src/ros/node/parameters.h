@@ -67,4 +67,7 @@ class Parameters {
   std::map<std::string, std::string> missing_;  // error, by name
 };
 
+/// @brief Reads ~threads: threads that share the agents of a tick; 0, the default: one for each processor.
+unsigned readThreads(Parameters& parameters);
+
 }  // namespace crowd
