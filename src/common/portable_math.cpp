@@ -142,10 +142,14 @@ double tan(double angle) { return sin(angle) / cos(angle); }
 double atan2(double y, double x) {
   double shorter = std::abs(y);
   double longer = std::abs(x);
-  if (!(shorter + longer < INFINITE)) return NOT_A_NUMBER;
+  if (std::isnan(shorter + longer)) return NOT_A_NUMBER;
   const bool is_steep = shorter > longer;
   if (is_steep) std::swap(shorter, longer);
   if (longer == 0.0) return y;
+  if (longer == INFINITE) {
+    shorter = shorter == INFINITE ? 1.0 : 0.0;
+    longer = 1.0;
+  }
   const Sum angle = arcTangent(shorter, longer);
   // A multiple of a quarter turn plus or minus the angle, small parts first.
   const double start = is_steep ? 0.5 : x < 0.0 ? 1.0 : 0.0;

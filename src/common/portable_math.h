@@ -12,7 +12,7 @@ namespace crowd::portable {
 double sin(double angle);
 double cos(double angle);
 double tan(double angle);
-/// @brief The direction of (x, y) [rad], in [-pi, pi]; 0 for (0, 0) and (-0, 0). Infinite coordinates: NaN.
+/// @brief The direction of (x, y) [rad], in [-pi, pi]; 0 for (0, 0) and (-0, 0).
 double atan2(double y, double x);
 /// @param x -1 to 1
 double asin(double x);

@@ -92,9 +92,12 @@ TEST(PortableMath, HasLimitsAndRefusesWhatHasNoValue) {
   for (const double x : {nan, INFINITE}) {
     EXPECT_TRUE(std::isnan(portable::sin(x)));
     EXPECT_TRUE(std::isnan(portable::cos(x)));
-    EXPECT_TRUE(std::isnan(portable::atan2(x, 1.0)));
-    EXPECT_TRUE(std::isnan(portable::atan2(1.0, x)));
   }
+  EXPECT_EQ(portable::atan2(INFINITE, 1.0), portable::atan2(1.0, 0.0));
+  EXPECT_EQ(portable::atan2(1.0, -INFINITE), portable::atan2(0.0, -1.0));
+  EXPECT_EQ(portable::atan2(INFINITE, INFINITE), portable::atan2(1.0, 1.0));
+  EXPECT_TRUE(std::isnan(portable::atan2(nan, 1.0)));
+  EXPECT_TRUE(std::isnan(portable::atan2(1.0, nan)));
   EXPECT_TRUE(std::isnan(portable::exp(nan)));
   EXPECT_TRUE(std::isnan(portable::log(nan)));
   EXPECT_TRUE(std::isnan(portable::pow(nan, 0.5)));
