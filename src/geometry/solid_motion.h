@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "geometry/neighbour_grid.h"
@@ -98,8 +99,11 @@ class SolidMotion {
     std::uint32_t agent_changes = 0;
     std::uint32_t other_changes = 0;
   };
+  /// A total order, so that impacts of one instant are judged in the same order with all standard libraries.
   struct Later {
-    bool operator()(const Impact& a, const Impact& b) const { return a.time > b.time; }
+    bool operator()(const Impact& a, const Impact& b) const {
+      return std::tie(a.time, a.agent, a.other) > std::tie(b.time, b.agent, b.other);
+    }
   };
 
   void begin(const std::vector<Disc>& discs);
