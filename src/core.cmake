@@ -22,7 +22,8 @@ find_path(RECAST_INCLUDE_DIR recastnavigation/Recast.h)
 find_library(RECAST_LIBRARY Recast)
 find_library(DETOUR_LIBRARY Detour)
 if(NOT RECAST_INCLUDE_DIR OR NOT RECAST_LIBRARY OR NOT DETOUR_LIBRARY)
-  message(FATAL_ERROR "Recast and Detour are missing; in Debian and Ubuntu: apt-get install librecast-dev")
+  message(FATAL_ERROR
+    "Recast and Detour are missing; in Debian 12 and Ubuntu from 22.04 on: apt-get install librecast-dev, else scripts/install_libraries")
 endif()
 # Highway is used for the kernels with vector instructions; without it, scalar kernels are built.
 find_package(hwy QUIET CONFIG)
@@ -51,6 +52,8 @@ if(hwy_FOUND AND SOCIAL_CROWD_HIGHWAY)
   target_sources(${PROJECT_NAME}_core PRIVATE ${REPOSITORY}/src/simd/highway_kernels.cpp)
   set_source_files_properties(${REPOSITORY}/src/simd/kernels.cpp PROPERTIES COMPILE_DEFINITIONS CROWD_HIGHWAY)
   target_link_libraries(${PROJECT_NAME}_core PRIVATE hwy::hwy)
+else()
+  message(STATUS "${PROJECT_NAME}: without vector instructions, as Highway is not installed (in Debian: libhwy-dev)")
 endif()
 # The kernels include themselves once for each processor. The list of state sets is often changed.
 set_source_files_properties(

@@ -20,7 +20,7 @@ class Scenario {
   /// @throws FileError if it or its map cannot be read; InputError if there is no such name, or with file, line and
   /// what was expected
   static Scenario load(const std::string& name_or_file);
-  /// @brief Reads the text of a scenario file. @param name in messages @throws InputError, FileError as load() does
+  /// @brief Reads the text of a scenario file. @param name in messages @throws InputError and FileError as load() does
   static Scenario parse(const std::string& text, const std::string& name);
   /// @brief Names of the scenarios of the package.
   static std::vector<std::string> names();

@@ -52,8 +52,8 @@ class Training {
   /// @brief Writes a file from which an interrupted training goes on. @throws FileError
   void saveCheckpoint(const std::string& file) const;
   /// @brief Goes on from a checkpoint of the same configuration and seed; episodes and tables are then the same, bit
-  /// for bit, as without the interruption. @throws FileError; InputError if it is damaged or of another training;
-  /// nothing has changed then
+  /// for bit, as without the interruption. @throws FileError if it cannot be read; InputError if it is damaged or of
+  /// another training; nothing has changed then
   void resume(const std::string& file);
 
  private:

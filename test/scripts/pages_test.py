@@ -11,7 +11,8 @@ from programs import ANTICIPATION_TABLE, PACKAGE, in_package, page_examples, pag
 LONGEST = 250  # [lines] of a page in docs/
 LONGEST_OF = {'architecture.md': 100}  # [lines]
 DOCS = sorted(pathlib.Path(in_package('docs')).glob('*.md'))
-PAGES = [pathlib.Path(in_package('README.md')), *DOCS, *sorted(pathlib.Path(in_package('research')).rglob('*.md'))]
+PAGES = [*sorted(pathlib.Path(PACKAGE).glob('*.md')), *DOCS,
+         *sorted(pathlib.Path(in_package('research')).rglob('*.md'))]
 # Folders and files with texts that name pages.
 NAMING = ('CHANGELOG.rst', 'CMakeLists.txt', 'package.xml', 'bench', 'config', 'include', 'launch', 'msg', 'python',
           'research', 'rviz', 'scripts', 'src', 'srv', 'test')
