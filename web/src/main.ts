@@ -1,3 +1,4 @@
+import './screen_colours';
 import {App} from './app';
 import {notify} from './page';
 import {addSettings} from './settings';

@@ -33,7 +33,7 @@ export class MindLayer {
   update(crowd: Crowd, selected: number | null, mind: Mind | null, goal: Point | null,
          radiusOf: (id: number) => number, colours: Colours): void {
     const layers = [this.rings, this.lines, this.borders, this.arrows, this.target];
-    layers.forEach((shapes) => shapes.clear());
+    layers.forEach((shapes) => shapes.begin());
     const i = crowd.find(selected);
     if (i >= 0) {
       const [x, y] = [crowd.x[i], crowd.y[i]];
