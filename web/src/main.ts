@@ -33,7 +33,7 @@ async function findSource(): Promise<Source> {
       }
     }
   }
-  return new WorkerSource();
+  return WorkerSource.open();
 }
 
 const app = window.socialCrowd = new App();

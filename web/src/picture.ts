@@ -61,18 +61,27 @@ export class Picture {
   /** Shows another scene, or changes of the present one. */
   setScene(scene: SceneContent): void {
     this.bounds = scene.bounds;
-    this.radii.clear();
-    this.goalPlaces.clear();
-    for (const {id, radius, goal} of scene.agents) {
-      this.radii.set(id, radius);
-      this.goalPlaces.set(id, goal);
-    }
+    this.setAgents(scene.agents);
     this.scenery.show(scene);
     this.robots.show(scene.robots);
-    this.goals.show(scene.agents, this.colours);
     this.grid.cover(scene.bounds);
     this.heatMap.cover();
     this.heatTime = NaN;
+  }
+
+  /** Shows all agents that there are in the scene. */
+  setAgents(agents: Scene['agents']): void {
+    this.radii.clear();
+    this.goalPlaces.clear();
+    for (const {id, radius, goal} of agents) {
+      this.radii.set(id, radius);
+      this.goalPlaces.set(id, goal);
+    }
+    this.goals.show(agents, this.colours);
+  }
+
+  setObstacles(obstacles: Scene['obstacles']): void {
+    this.scenery.showObstacles(obstacles);
   }
 
   goalOf(id: number | null): Point | null {

@@ -59,7 +59,7 @@ export class RobotsLayer {
     let before: [number, number] | null = null;
     scan.ranges.forEach((range, i) => {
       const angle = heading + scan.angle_min + i * scan.angle_increment;
-      const end: [number, number] | null = range > 0 && Number.isFinite(range)
+      const end: [number, number] | null = range !== null && range > 0 && Number.isFinite(range)
         ? [x + range * Math.cos(angle), y + range * Math.sin(angle)] : null;
       if (end) {
         this.scans.add(end[0], end[1], 0.05, 0.05, 0, SCAN);

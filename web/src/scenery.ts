@@ -13,22 +13,36 @@ const SIDES = 24;        // of an obstacle
 /** Floor, walls, obstacles and map of a scene. */
 export class Scenery {
   readonly group = new THREE.Group();
+  private obstacles = new Solids().mesh();
 
   /** Shows a scene instead of the one before. */
   show(scene: Pick<Scene, 'bounds' | 'walls' | 'obstacles' | 'map'>): void {
     for (const child of [...this.group.children] as THREE.Mesh[]) {
-      this.group.remove(child);
-      child.geometry.dispose();
-      (child.material as THREE.Material).dispose();
+      this.remove(child);
     }
     const solids = new Solids();
     scene.walls.forEach((wall) => addWall(solids, wall));
-    scene.obstacles.forEach((obstacle) => addObstacle(solids, obstacle));
     if (scene.map) {
       addMap(solids, scene.map);
     }
     this.addFloor(scene.bounds);
     this.group.add(solids.mesh());
+    this.showObstacles(scene.obstacles);
+  }
+
+  /** Shows obstacles instead of those before. */
+  showObstacles(obstacles: Obstacle[]): void {
+    this.remove(this.obstacles);
+    const solids = new Solids();
+    obstacles.forEach((obstacle) => addObstacle(solids, obstacle));
+    this.obstacles = solids.mesh();
+    this.group.add(this.obstacles);
+  }
+
+  private remove(part: THREE.Mesh): void {
+    this.group.remove(part);
+    part.geometry.dispose();
+    (part.material as THREE.Material).dispose();
   }
 
   private addFloor([x0, y0, x1, y1]: Scene['bounds']): void {

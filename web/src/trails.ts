@@ -9,6 +9,7 @@ const LONGEST = 8;        // [s] that a path is shown
 const SHORTEST = 1.5;
 const SPACING = 0.3;      // [s] between corners of a path, at least
 const MOST_PEOPLE = 2500; // more have no paths
+const MOST_PEOPLE_SOFTWARE = 500;
 const WIDTH = 0.035;      // half of it [m]
 
 const SHADERS = {
@@ -38,6 +39,7 @@ void main() { gl_FragColor = shade; }`,
 export class Trails {
   readonly mesh: THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
   private readonly segments: number;
+  private readonly mostPeople: number;
   private readonly records: Records;
   private readonly ribbons: Copies;
   isShown = false;
@@ -48,6 +50,7 @@ export class Trails {
   /** isSoftware: few segments, since there is no graphics card. */
   constructor(isSoftware: boolean) {
     this.segments = isSoftware ? SEGMENTS_SOFTWARE : SEGMENTS;
+    this.mostPeople = isSoftware ? MOST_PEOPLE_SOFTWARE : MOST_PEOPLE;
     this.records = new Records(this.segments);
     this.ribbons = new Copies(square(), this.records, {
       ...SHADERS, transparent: true, depthWrite: false, side: THREE.DoubleSide});
@@ -60,7 +63,7 @@ export class Trails {
     const {moments} = history;
     const end = history.indexAt(time);
     this.mesh.visible = false;
-    if (!this.isShown || !moments[end] || moments[end].count > MOST_PEOPLE) {
+    if (!this.isShown || !moments[end] || moments[end].count > this.mostPeople) {
       this.clear();
       return;
     }

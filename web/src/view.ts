@@ -26,8 +26,8 @@ export class View {
   private readonly pointer = new THREE.Vector2();
   private readonly projected = new THREE.Vector3();
   private extent = 20;  // height of the picture at the target [m]
-  private azimuth = -0.5;
-  private polar = 0.95;
+  private azimuth = -0.35;
+  private polar = 0.9;
 
   constructor(canvas: HTMLCanvasElement) {
     this.isSoftware = drawsInSoftware();
