@@ -24,8 +24,8 @@ interface Limb {
 }
 
 const TRUNK: Limb[] = [
-  {cloth: Cloth.SHIRT, rings: [[0.86, 0.105, 0.165], [1.0, 0.1, 0.145], [1.27, 0.12, 0.185], [1.41, 0.1, 0.19],
-    [1.47, 0.055, 0.07]]},
+  {cloth: Cloth.SHIRT, rings: [[0.86, 0.105, 0.165], [1.0, 0.1, 0.145], [1.27, 0.12, 0.185], [1.4, 0.1, 0.195],
+    [1.47, 0.06, 0.08]]},
   {cloth: Cloth.SKIN, rings: [[1.44, 0.05, 0.05], [1.53, 0.055, 0.055, 0.01], [1.58, 0.09, 0.075, 0.015],
     [1.66, 0.105, 0.082, 0.015], [1.74, 0.07, 0.06, 0.0]]},
   {cloth: Cloth.HAIR, rings: [[1.57, 0.07, 0.078, -0.035], [1.66, 0.1, 0.09, -0.018], [1.735, 0.09, 0.077, -0.008],
@@ -37,9 +37,9 @@ const LIMBS: Limb[] = [
     [KNEE + 0.02, 0.06, 0.056]]},
   {cloth: Cloth.SHOES, kind: 1, side: 0.09, isLower: true, rings: [[0.0, 0.13, 0.05, 0.05], [0.05, 0.12, 0.048, 0.045],
     [0.1, 0.05, 0.042, 0.0]]},
-  {cloth: Cloth.SHIRT, kind: 2, side: 0.225, rings: [[ELBOW - 0.02, 0.042, 0.04], [1.3, 0.05, 0.045], [SHOULDER, 0.05, 0.042]]},
-  {cloth: Cloth.SHIRT, kind: 2, side: 0.225, isLower: true, rings: [[0.9, 0.034, 0.032], [ELBOW + 0.02, 0.042, 0.039]]},
-  {cloth: Cloth.SKIN, kind: 2, side: 0.225, isLower: true, rings: [[0.78, 0.035, 0.018], [0.85, 0.045, 0.024],
+  {cloth: Cloth.SHIRT, kind: 2, side: 0.212, rings: [[ELBOW - 0.02, 0.042, 0.04], [1.3, 0.05, 0.045], [SHOULDER, 0.05, 0.042]]},
+  {cloth: Cloth.SHIRT, kind: 2, side: 0.212, isLower: true, rings: [[0.9, 0.034, 0.032], [ELBOW + 0.02, 0.042, 0.039]]},
+  {cloth: Cloth.SKIN, kind: 2, side: 0.212, isLower: true, rings: [[0.78, 0.035, 0.018], [0.85, 0.045, 0.024],
     [0.91, 0.03, 0.028]]},
 ];
 /** Collects the triangles of limbs. */

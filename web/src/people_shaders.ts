@@ -97,7 +97,7 @@ vec3 unpackColour(float packed) {
 }
 void setPoint(float height, float extent) {
   gl_Position = projectionMatrix * viewMatrix * vec4(place.xy, height, 1.0);
-  gl_PointSize = max(projectionMatrix[1][1] * screenHeight * 0.5 * extent / gl_Position.w, 2.0);
+  gl_PointSize = max(projectionMatrix[1][1] * screenHeight * 0.5 * extent / gl_Position.w, 3.0);
 }`;
 
 /** In shaders: the place in a disc on the floor, 1 at its rim, as it is seen by the camera. */

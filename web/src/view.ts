@@ -84,13 +84,13 @@ export class View {
     this.target.set((x0 + x1) / 2, (y0 + y1) / 2, 0);
     this.extent = Math.max(1.06 * Math.max((x1 - x0) * this.height / freeWidth, (y1 - y0) * this.height / freeHeight), 4);
     this.place();
-    if (this.isPerspective) {
+    for (let i = 0; i < 2 && this.isPerspective; ++i) {
       const pixels = [[x0, y0], [x0, y1], [x1, y0], [x1, y1]].map((corner) => this.pixelOf(corner as Point));
       const [xs, ys] = [0, 1].map((axis) => pixels.map((pixel) => pixel[axis]));
       const [width, height] = [xs, ys].map((values) => Math.max(...values) - Math.min(...values));
       this.extent *= 1.04 * Math.max(width / freeWidth, height / freeHeight);
-      this.place();
-      this.pan(0, (Math.max(...ys) + Math.min(...ys)) / 2, 0, (top + this.height - bottom) / 2);
+      this.pan((Math.max(...xs) + Math.min(...xs)) / 2, (Math.max(...ys) + Math.min(...ys)) / 2,
+        (left + this.width - right) / 2, (top + this.height - bottom) / 2);
     }
   }
 
