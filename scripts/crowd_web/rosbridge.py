@@ -119,9 +119,9 @@ class RosbridgeSession:
 
     async def values_of(self, name, arguments):
         """Returns the response of a service as JSON. Raises InputError."""
+        name = rospy.resolve_name(name)
         if name.startswith('/rosapi/'):
             return self.graph_values(name, arguments)
-        name = rospy.resolve_name(name)
         if name not in self.graph.services:
             await self.graph.refresh()
         request = fill(self.graph.service_class(name)._request_class(), arguments)

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "learning/learner.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/perception_arrays.h"

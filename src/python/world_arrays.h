@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "learning/decision_values.h"
 #include "scenario/scene.h"
@@ -16,8 +17,8 @@ namespace crowd::python {
 namespace py = pybind11;
 
 inline py::array_t<std::uint64_t> idsOf(const Walls& walls) {
-  return {static_cast<py::ssize_t>(walls.ids().size()),
-          std::vector<std::uint64_t>(walls.ids().begin(), walls.ids().end()).data()};
+  const std::vector<std::uint64_t> ids(walls.ids().begin(), walls.ids().end());
+  return py::array_t<std::uint64_t>(static_cast<py::ssize_t>(ids.size()), ids.data());
 }
 
 /// @brief number, x, y, radius [m] of each obstacle that is there, `map`.
@@ -29,7 +30,7 @@ inline py::array_t<double> obstaclesOf(const World& world) {
     const Vector2 place = obstacle.path.position(world.time());
     rows.insert(rows.end(), {static_cast<double>(i), place.x(), place.y(), obstacle.radius});
   }
-  return {{static_cast<py::ssize_t>(rows.size() / 4), py::ssize_t{4}}, rows.data()};
+  return py::array_t<double>({static_cast<py::ssize_t>(rows.size() / 4), py::ssize_t{4}}, rows.data());
 }
 
 /// @brief The map of a scene as nav_msgs/OccupancyGrid has it, or None.
