@@ -91,7 +91,7 @@ class FakeCrowd {
         return [this.status()];
       case 'step':
         this.step();
-        return [this.frame(), this.status()];
+        return [this.frame(), this.status(), ...this.selected === null ? [] : [this.mind()]];
       case 'speed':
         this.speed = keys.factor;
         return [this.status()];

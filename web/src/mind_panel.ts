@@ -13,7 +13,7 @@ export class MindPanel {
     if (selected === null) {
       return;
     }
-    const goalText = goal ? `, goal (${goal[0].toFixed(1)}, ${goal[1].toFixed(1)})` : '';
+    const goalText = goal ? ` to (${goal[0].toFixed(1)}, ${goal[1].toFixed(1)})` : '';
     setText('agent', `Agent ${selected}: ${speed.toFixed(2)} m/s${goalText}`);
     const known = mind && mind.agent === selected && mind.actions.length > 0 ? mind : null;
     this.canvas.hidden = !known;
