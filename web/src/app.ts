@@ -133,9 +133,10 @@ export class App {
   }
 
   private receiveFrame(buffer: ArrayBuffer): void {
-    this.player.receive(decodeFrame(buffer), performance.now() / 1000, this.status?.playing ?? false);
+    const moment = this.player.receive(decodeFrame(buffer), performance.now() / 1000, this.status?.playing ?? false);
     if (!this.player.isRecording) {
-      this.statistics.sample(this.player.history, this.status?.arrived);
+      const isOld = this.status === null || this.status.tick > moment.tick;  // of the run before
+      this.statistics.sample(this.player.history, isOld ? undefined : this.status!.arrived);
       this.isDirty = true;
     }
   }

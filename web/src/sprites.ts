@@ -3,7 +3,7 @@ import {figureMesh} from './figure_mesh';
 import {ANGLES, BOX, CLOTH_UNIFORM, FIGURE_SHADERS, MIDDLE, POSES} from './people_shaders';
 import {Copies, Records} from './records';
 
-const CELL = 56;            // [pixels]
+const CELL = 96;            // [pixels]
 const SWING = 0.4;          // [rad]
 const TOLERANCE = 0.05;     // [rad] between the camera's angle and that of the pictures
 
@@ -11,7 +11,8 @@ const TOLERANCE = 0.05;     // [rad] between the camera's angle and that of the 
 export class Sprites {
   /** Of the sprites' material. */
   readonly uniform: {value: THREE.Texture};
-  private readonly target = new THREE.WebGLRenderTarget(ANGLES * CELL, POSES * CELL, {samples: 4});
+  private readonly target = new THREE.WebGLRenderTarget(ANGLES * CELL, POSES * CELL, {
+    samples: 4, generateMipmaps: true, minFilter: THREE.LinearMipmapNearestFilter});
   private readonly camera = new THREE.OrthographicCamera(-BOX / 2, BOX / 2, BOX / 2, -BOX / 2, 0.1, 20);
   private readonly scene = new THREE.Scene();
   private polar = NaN;
