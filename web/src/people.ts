@@ -9,7 +9,7 @@ import {View} from './view';
 
 const STRIDE = 1.35;       // [m] of two steps
 const FULL_SWING = 0.9;    // [m/s]; slower people make smaller steps
-const SWING = 0.44;        // [rad]
+const SWING = 0.38;        // [rad]
 const MARGIN = 1.1;        // of the picture in which people are drawn
 
 /** People as walking figures with shadows, or as discs. Limbs swing by the distance walked. */

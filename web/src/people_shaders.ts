@@ -51,7 +51,7 @@ void main() {
   } else if (kind > 0.5) {
     float lift = max(cos(phase), 0.0);
     if (limb.z > 0.5) bend(p, n, ${KNEE}, -2.2 * look.y * lift * lift - 0.05);
-    bend(p, n, ${HIP}, 1.05 * swing + 0.25 * look.y * lift * lift);
+    bend(p, n, ${HIP}, swing + 0.15 * look.y * lift * lift);
   } else {
     float lean = 0.05 * look.y;
     p.x += lean * (p.z - ${HIP});

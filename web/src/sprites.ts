@@ -4,7 +4,7 @@ import {ANGLES, BOX, CLOTH_UNIFORM, FIGURE_SHADERS, MIDDLE, POSES} from './peopl
 import {Copies, Records} from './records';
 
 const CELL = 96;            // [pixels]
-const SWING = 0.4;          // [rad]
+const SWING = 0.38;         // [rad]
 const TOLERANCE = 0.05;     // [rad] between the camera's angle and that of the pictures
 
 /** Pictures of a figure from all sides in all poses, which stand for distant figures. */
