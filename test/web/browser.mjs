@@ -8,7 +8,7 @@ export function launchBrowser(chromium = process.env.CHROMIUM ?? '/usr/bin/chrom
   return puppeteer.launch({
     executablePath: chromium, headless: true, protocolTimeout: 3 * PATIENCE,
     args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-      '--ignore-gpu-blocklist', '--disable-dev-shm-usage', '--window-size=1280,720'],
+      '--ignore-gpu-blocklist', '--disable-gpu-compositing', '--disable-dev-shm-usage', '--window-size=1280,720'],
     defaultViewport: {width: 1280, height: 720},
   });
 }
