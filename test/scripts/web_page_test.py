@@ -29,7 +29,8 @@ def clients(tmp_path_factory):
 @pytest.fixture(scope='module')
 def results(clients):
     """The result of each check, by its name."""
-    with subprocess.Popen(['node', 'fake_source.mjs', '50', PAGE / 'dist'], cwd=clients, stdout=subprocess.PIPE) as source:
+    command = ['node', 'fake_source.mjs', '50', PAGE / 'dist']
+    with subprocess.Popen(command, cwd=clients, stdout=subprocess.PIPE) as source:
         try:
             address = source.stdout.readline().decode().strip()
             done = subprocess.run(['node', 'page_checks.mjs', address], cwd=clients, stdout=subprocess.PIPE,

@@ -53,12 +53,14 @@ class FakeCrowd {
   }
 
   robots() {
+    const ranges = Array.from({length: 61}, (_, i) => i % 20 ? 2 + Math.sin(i / 5) : null);
     return {type: 'robots', tick: this.tick, robots: [{name: 'robot_0', pose: [2, 2, this.tick * 0.05], goal: [-2, 2],
-      scan: {angle_min: -1.5, angle_increment: 0.05, ranges: Array.from({length: 61}, (_, i) => 2 + Math.sin(i / 5))}}]};
+      scan: {angle_min: -1.5, angle_increment: 0.05, ranges}}]};
   }
 
   mind() {
-    const actions = Array.from({length: 15}, (_, i) => ({direction: (i % 5 - 2) * 0.5, speed: 0.6 + 0.4 * Math.floor(i / 5),
+    const actions = Array.from({length: 15}, (_, i) => ({
+      direction: (i % 5 - 2) * 0.5, speed: 0.6 + 0.4 * Math.floor(i / 5),
       value: -Math.abs(i % 5 - 2 + Math.sin(this.tick / 10)) + i / 15, visits: 10 * i}));
     return {type: 'mind', agent: this.selected, tick: this.tick, actions, chosen: 12, neighbours: [1, 2, 3]};
   }
@@ -160,7 +162,8 @@ const sockets = new WebSocketServer({server, path: '/ws', perMessageDeflate: fal
 const tell = (messages, targets = sockets.clients) => targets.forEach((socket) => messages.forEach((message) =>
   socket.send(message instanceof ArrayBuffer ? message : JSON.stringify(message))));
 sockets.on('connection', (socket) => {
-  const hello = {type: 'hello', protocol: 1, back_end: 'python', scenarios: [`circles_${crowd.people}`, 'other'], commands: COMMANDS};
+  const hello = {type: 'hello', protocol: 1, back_end: 'python', scenarios: [`circles_${crowd.people}`, 'other'],
+    commands: COMMANDS};
   tell([hello, crowd.scene(), crowd.status(), crowd.frame()], [socket]);
   socket.on('message', (text) => {
     const command = JSON.parse(text);

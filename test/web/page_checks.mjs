@@ -1,4 +1,5 @@
-// Checks of the page in a browser, against the server at the given address. Prints a JSON object: the result of each check by its name.
+// Checks of the page in a browser, against the server at the given address. Prints a JSON object: the result of each
+// check by its name.
 // usage: node page_checks.mjs ADDRESS
 import {launchBrowser, openPage, PATIENCE} from './browser.mjs';
 
@@ -42,7 +43,8 @@ async function dropFile(page, name, text) {
   }, name, text);
 }
 
-const message = (text) => `[...document.querySelectorAll('#messages p')].some((p) => p.textContent.includes('${text}'))`;
+const message = (text) =>
+  `[...document.querySelectorAll('#messages p')].some((p) => p.textContent.includes('${text}'))`;
 const WALK = ['instance,tick,agent,x,y',
   ...Array.from({length: 202}, (_, i) => [0, i >> 1, i % 2, (i >> 1) / 10, i % 2].join(','))].join('\n');
 
@@ -75,7 +77,8 @@ const CHECKS = {
   async a_person_is_selected_gets_a_goal_and_is_removed(page) {
     await press(page, 'Select');
     const people = await value(page, PEOPLE);
-    const place = () => value(page, `(({picture: {crowd: {x, y, count}}}) => [x[count - 1], y[count - 1]])(socialCrowd)`);
+    const place = () => value(page,
+      `(({picture: {crowd: {x, y, count}}}) => [x[count - 1], y[count - 1]])(socialCrowd)`);
     await page.mouse.click(...await pixelOf(page, await place()));
     await until(page, 'socialCrowd.tools.selected !== null && !document.getElementById("mind").hidden');
     await press(page, 'Set goal');
@@ -120,7 +123,8 @@ const CHECKS = {
     await press(page, 'Pause');
     await page.focus('#time-line');
     await page.keyboard.press('End');
-    await until(page, `socialCrowd.player.time === 10 && ${PEOPLE} === 2 && Math.abs(socialCrowd.picture.crowd.x[0] - 10) < 1e-3`);
+    await until(page, `socialCrowd.player.time === 10 && ${PEOPLE} === 2`);
+    await until(page, `Math.abs(socialCrowd.picture.crowd.x[0] - 10) < 1e-3`);
     await page.keyboard.press('Home');
     await until(page, 'socialCrowd.player.time === 0 && Math.abs(socialCrowd.picture.crowd.x[0]) < 1e-3');
     await page.evaluate('document.activeElement.blur()');
@@ -168,7 +172,8 @@ try {
       await check(page);
       results[name] = 'ok';
     } catch (error) {
-      results[name] = `${error.message} (messages: ${await value(page, 'document.getElementById("messages").textContent')})`;
+      const shown = await value(page, 'document.getElementById("messages").textContent');
+      results[name] = `${error.message} (messages: ${shown})`;
     }
   }
 } finally {

@@ -32,12 +32,14 @@ const TRUNK: Limb[] = [
     [1.775, 0.04, 0.035, -0.01]]},
 ];
 const LIMBS: Limb[] = [
-  {cloth: Cloth.TROUSERS, kind: 1, side: 0.09, rings: [[KNEE - 0.02, 0.06, 0.058], [0.72, 0.08, 0.075], [HIP, 0.1, 0.085]]},
+  {cloth: Cloth.TROUSERS, kind: 1, side: 0.09, rings: [[KNEE - 0.02, 0.06, 0.058], [0.72, 0.08, 0.075],
+    [HIP, 0.1, 0.085]]},
   {cloth: Cloth.TROUSERS, kind: 1, side: 0.09, isLower: true, rings: [[0.07, 0.048, 0.045], [0.33, 0.065, 0.055],
     [KNEE + 0.02, 0.06, 0.056]]},
   {cloth: Cloth.SHOES, kind: 1, side: 0.09, isLower: true, rings: [[0.0, 0.13, 0.05, 0.05], [0.05, 0.12, 0.048, 0.045],
     [0.1, 0.05, 0.042, 0.0]]},
-  {cloth: Cloth.SHIRT, kind: 2, side: 0.212, rings: [[ELBOW - 0.02, 0.042, 0.04], [1.3, 0.05, 0.045], [SHOULDER, 0.05, 0.042]]},
+  {cloth: Cloth.SHIRT, kind: 2, side: 0.212, rings: [[ELBOW - 0.02, 0.042, 0.04], [1.3, 0.05, 0.045],
+    [SHOULDER, 0.05, 0.042]]},
   {cloth: Cloth.SHIRT, kind: 2, side: 0.212, isLower: true, rings: [[0.9, 0.034, 0.032], [ELBOW + 0.02, 0.042, 0.039]]},
   {cloth: Cloth.SKIN, kind: 2, side: 0.212, isLower: true, rings: [[0.78, 0.035, 0.018], [0.85, 0.045, 0.024],
     [0.91, 0.03, 0.028]]},

@@ -71,7 +71,8 @@ export class MindLayer {
       const length = Math.max(scale * speed, 0.15);
       const [fromX, fromY] = [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
       if (i === mind.chosen) {
-        this.borders.add(fromX - 0.05 * Math.cos(angle), fromY - 0.05 * Math.sin(angle), length + 0.16, 0.17, angle, DARK);
+        this.borders.add(fromX - 0.05 * Math.cos(angle), fromY - 0.05 * Math.sin(angle), length + 0.16, 0.17, angle,
+          DARK);
       }
       this.arrows.add(fromX, fromY, length, 0.1, angle, VALUE_TABLE[Math.round(255 * share)]);
     });

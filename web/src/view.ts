@@ -80,9 +80,10 @@ export class View {
   /** Shows the whole of a box of the floor. */
   fit([x0, y0, x1, y1]: [number, number, number, number]): void {
     const [left, top, right, bottom] = this.covered;
-    const [freeWidth, freeHeight] = [Math.max(this.width - left - right, 100), Math.max(this.height - top - bottom, 100)];
+    const freeWidth = Math.max(this.width - left - right, 100);
+    const freeHeight = Math.max(this.height - top - bottom, 100);
     this.target.set((x0 + x1) / 2, (y0 + y1) / 2, 0);
-    this.extent = Math.max(1.06 * Math.max((x1 - x0) * this.height / freeWidth, (y1 - y0) * this.height / freeHeight), 4);
+    this.extent = Math.max(1.06 * this.height * Math.max((x1 - x0) / freeWidth, (y1 - y0) / freeHeight), 4);
     this.place();
     for (let i = 0; i < 2 && this.isPerspective; ++i) {
       const pixels = [[x0, y0], [x0, y1], [x1, y0], [x1, y1]].map((corner) => this.pixelOf(corner as Point));

@@ -32,7 +32,8 @@ export class WebSocketSource implements Source {
     this.socket.onmessage = ({data}) => handler(typeof data === 'string' ? JSON.parse(data) as object : data);
     this.socket.onclose = ({reason}) => handler({
       type: 'error', command: null,
-      message: `The connection to the server has ended${reason ? `: ${reason}` : ''}. Reload the page to connect again.`,
+      message: `The connection to the server has ended${reason ? `: ${reason}` : ''}. ` +
+        'Reload the page to connect again.',
     });
   }
 
