@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/heap.h"
 #include "common/random.h"
 #include "common/text/numbers.h"
 #include "geometry/impact.h"
@@ -129,10 +130,7 @@ double SolidMotion::touchOfWall(const Body& body, const Segment& wall, double no
   return now + firstTouch(Segment{wall.from - position, wall.to - position}, body.way, body.radius, 1.0 - now);
 }
 
-void SolidMotion::add(const Impact& impact) {
-  impacts_.push_back(impact);
-  std::push_heap(impacts_.begin(), impacts_.end(), Later());
-}
+void SolidMotion::add(const Impact& impact) { pushHeap(impacts_, impact, Later()); }
 
 bool SolidMotion::isStale(const Impact& impact) const {
   if (bodies_[impact.agent].changes != impact.agent_changes) return true;
@@ -143,9 +141,7 @@ double SolidMotion::takeNext() {
   simultaneous_.clear();
   double now = NO_IMPACT;
   while (!impacts_.empty() && impacts_.front().time <= now) {
-    const Impact next = impacts_.front();
-    std::pop_heap(impacts_.begin(), impacts_.end(), Later());
-    impacts_.pop_back();
+    const Impact next = popHeap(impacts_, Later());
     if (isStale(next)) continue;
     now = next.time;
     simultaneous_.push_back(next);

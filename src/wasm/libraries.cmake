@@ -25,3 +25,4 @@ set(RECAST_INCLUDE_DIR ${CMAKE_BINARY_DIR}/recast)
 set(RECAST_LIBRARY recast)
 set(DETOUR_LIBRARY recast)
 target_compile_options(recast PRIVATE -ffp-contract=off)
+set_target_properties(png yaml-cpp recast PROPERTIES UNITY_BUILD OFF)  # their files do not go together
