@@ -70,5 +70,6 @@ set_source_files_properties(${REPOSITORY}/src/scenario/reading/scenario_files.cp
 # Function calls within the library are direct (-Bsymbolic-functions).
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC ${YAML_CPP_LIBRARIES} Threads::Threads  # for tests and programs, which include private headers
-  PRIVATE PNG::PNG ${RECAST_LIBRARY} ${DETOUR_LIBRARY} ${CMAKE_DL_LIBS} ${PROJECT_NAME}_warnings -Wl,-Bsymbolic-functions
+  PRIVATE PNG::PNG ${RECAST_LIBRARY} ${DETOUR_LIBRARY} ${CMAKE_DL_LIBS} ${PROJECT_NAME}_warnings
+    $<$<NOT:$<PLATFORM_ID:Emscripten>>:-Wl,-Bsymbolic-functions>
 )

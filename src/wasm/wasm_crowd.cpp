@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "learning/learner.h"
-#include "simulation/episode.h"
 #include "world/perception.h"
 
 namespace crowd::wasm {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenario/scene.h"
+#include "simulation/episode.h"
 #include "social_crowd/episode.h"
 #include "world/world.h"
 
