@@ -2,13 +2,17 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
 
+#include "learning/learner.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/perception_arrays.h"
 #include "python/results.h"
+#include "python/world_arrays.h"
 #include "simulation/episode.h"
 #include "social_crowd/episode.h"
 #include "social_crowd/errors.h"
@@ -24,49 +28,6 @@ void requireLength(const char* name, const Numbers& numbers, std::size_t expecte
   throw InputError(std::string(name) + ": expected an array of " + std::to_string(expected) + " numbers, got " +
                    std::to_string(numbers.size()) + " in " + std::to_string(numbers.ndim()) + " dimensions");
 }
-
-/// What agents perceive at the start of a tick, as arrays that show the memory of a shared object.
-class PerceptionArrays {
- public:
-  explicit PerceptionArrays(std::shared_ptr<const Perceptions> perceptions) : shared_(std::move(perceptions)) {}
-
-  const Perceptions& perceptions() const { return *shared_; }
-
-  /// An array of a field of all agents. @param columns numbers of the field; 0: it is one number
-  template <typename Number, typename Field>
-  py::array ofAgents(Field AgentPerception::*field, std::size_t columns) const {
-    return ofElements<Number>(shared_->agents, columns, [&](const AgentPerception& seen) { return &(seen.*field); });
-  }
-  py::array pose() const {
-    return ofElements<double>(shared_->agents, 3, [](const AgentPerception& seen) { return &seen.pose; });
-  }
-  py::array walls() const {
-    return ofElements<double>(shared_->walls, 4, [](const Segment& wall) { return &wall; });
-  }
-  template <typename Number>
-  py::array ofNeighbours(const Number* numbers) const {
-    const auto count = static_cast<py::ssize_t>(shared_->neighbours.size());
-    return viewOf(py::dtype::of<Number>(), {count}, {static_cast<py::ssize_t>(sizeof(Number))}, numbers,
-                  shareOf(shared_));
-  }
-
- private:
-  template <typename Number, typename Element, typename Address>
-  py::array ofElements(const std::vector<Element>& elements, std::size_t columns, const Address& address) const {
-    const auto count = static_cast<py::ssize_t>(elements.size());
-    const auto step = static_cast<py::ssize_t>(sizeof(Element));
-    const void* const first = elements.empty() ? nullptr : static_cast<const void*>(address(elements.front()));
-    const py::dtype type = py::dtype::of<Number>();
-    if (columns == 0) return viewOf(type, {count}, {step}, first, shareOf(shared_));
-    return viewOf(type, {count, static_cast<py::ssize_t>(columns)}, {step, static_cast<py::ssize_t>(sizeof(Number))},
-                  first, shareOf(shared_));
-  }
-
-  std::shared_ptr<const Perceptions> shared_;
-};
-
-static_assert(offsetof(Pose, heading) == 2 * sizeof(double) && sizeof(Segment) == 4 * sizeof(double),
-              "arrays show them as numbers side by side");
 
 /// An episode, and the arrays of its agents, which step() updates in place while their number stays the same.
 class Crowd {
@@ -106,7 +67,19 @@ class Crowd {
     return result;
   }
 
+  /// What an agent would choose from now; None if it does not decide. The Q-table does not change.
+  py::object valuesOf(AgentId agent) {
+    Perceptions seen = episode_.episode().perceptions();
+    const auto is_other = [agent](const AgentPerception& entry) { return entry.agent != agent || entry.arrived; };
+    seen.agents.erase(std::remove_if(seen.agents.begin(), seen.agents.end(), is_other), seen.agents.end());
+    RelativeActions actions;
+    learner_.learner().decide(seen, actions);
+    const auto values = learner_.learner().valuesOf(seen, actions, agent);
+    return values ? py::object(toDict(*values)) : py::none();
+  }
+
   library::Episode& episode() { return episode_; }
+  const World& world() { return episode_.episode().world(); }
   const std::shared_ptr<AgentArrays>& arrays() const { return arrays_; }
   PerceptionArrays perceptions() { return PerceptionArrays(episode_.episode().sharedPerceptions()); }
 
@@ -138,43 +111,6 @@ py::dict describe(const library::RobotState& robot) {
   fields["arrived"] = robot.arrived;
   fields["in_contact"] = robot.in_contact;
   return fields;
-}
-
-void bindPerceptions(py::module_& module) {
-  using Arrays = PerceptionArrays;
-  const auto field = [](auto member, std::size_t columns) {
-    return [=](const Arrays& arrays) { return arrays.ofAgents<double>(member, columns); };
-  };
-  py::class_<Arrays>(module, "Perceptions", "What the agents perceive at the start of a tick: arrays without copies.")
-      .def_property_readonly("ids",
-                             [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::agent, 0); })
-      .def_property_readonly("poses", &Arrays::pose, "x, y, heading of each agent; map")
-      .def_property_readonly("velocities", field(&AgentPerception::velocity, 2), "of the last tick, agent frame")
-      .def_property_readonly("goals", field(&AgentPerception::goal, 2), "or the next point on the way, agent frame")
-      .def_property_readonly("max_speeds", field(&AgentPerception::max_speed, 0))
-      .def_property_readonly("radii", field(&AgentPerception::radius, 0))
-      .def_property_readonly("arrived", [](const Arrays& a) { return a.ofAgents<bool>(&AgentPerception::arrived, 0); })
-      .def_property_readonly(
-          "first_neighbours",
-          [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::first_neighbour, 0); })
-      .def_property_readonly(
-          "neighbour_counts",
-          [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::neighbour_count, 0); })
-      .def_property_readonly("first_walls",
-                             [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::first_wall, 0); })
-      .def_property_readonly("wall_counts",
-                             [](const Arrays& a) { return a.ofAgents<std::uint32_t>(&AgentPerception::wall_count, 0); })
-      .def_property_readonly("neighbour_x",
-                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.xs()); })
-      .def_property_readonly("neighbour_y",
-                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.ys()); })
-      .def_property_readonly("neighbour_vx",
-                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.vxs()); })
-      .def_property_readonly("neighbour_vy",
-                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.vys()); })
-      .def_property_readonly("neighbour_radii",
-                             [](const Arrays& a) { return a.ofNeighbours(a.perceptions().neighbours.radii()); })
-      .def_property_readonly("walls", &Arrays::walls, "x, y of both ends, agent frame");
 }
 
 }  // namespace
@@ -222,6 +158,42 @@ void bindCrowd(py::module_& module) {
                                for (const auto& [id, wall] : by_id) walls.push_back(wall);
                                return arrayOf(walls);
                              })
+      .def_property_readonly("wall_ids", [](Crowd& crowd) { return idsOf(crowd.world().walls()); })
+      .def_property_readonly(
+          "obstacles", [](Crowd& crowd) { return obstaclesOf(crowd.world()); }, "number, x, y, radius of each [m], map")
+      .def_property_readonly(
+          "map", [](Crowd& crowd) { return mapOf(crowd.episode().episode().scene()); },
+          "width, height, resolution, origin (x, y, yaw) and cells (0 free, 100 occupied, 255 unknown), or None")
+      .def_property_readonly("arrived", [](Crowd& crowd) { return arrivedIn(crowd.world()); })
+      .def("decision_values", &Crowd::valuesOf, py::arg("agent"),
+           "What an agent would choose from now: `actions` (direction [rad], fraction of the maximum speed, value, "
+           "visits) and the number of the `chosen` one. None if it does not decide.")
+      .def(
+          "add_wall",
+          [](Crowd& crowd, std::array<double, 2> from, std::array<double, 2> to) {
+            return crowd.edit([&](library::Episode& e) { return e.addWall({{from[0], from[1]}, {to[0], to[1]}}); });
+          },
+          py::arg("from_"), py::arg("to"), "Adds a wall. Returns its id.")
+      .def(
+          "remove_wall",
+          [](Crowd& crowd, std::size_t wall) {
+            crowd.edit([&](library::Episode& e) { return e.removeWall(wall), 0; });
+          },
+          py::arg("wall"))
+      .def(
+          "add_obstacle",
+          [](Crowd& crowd, std::array<double, 2> position, double radius) {
+            return crowd.edit([&](library::Episode& e) {
+              return e.episode().edit().spawnObstacle({position[0], position[1]}, {0.0, 0.0}, radius);
+            });
+          },
+          py::arg("position"), py::arg("radius"), "Adds an obstacle. Returns its number.")
+      .def(
+          "remove_obstacle",
+          [](Crowd& crowd, std::size_t obstacle) {
+            crowd.edit([&](library::Episode& e) { return e.episode().edit().removeObstacle(obstacle), 0; });
+          },
+          py::arg("obstacle"), "The numbers of those after it decrease by one.")
       .def(
           "command_robot",
           [](Crowd& crowd, std::uint32_t robot, double ahead, double left, double rotation) {

@@ -91,7 +91,7 @@ class FakeCrowd {
         return [this.status()];
       case 'step':
         this.step();
-        return [this.frame(), this.status()];
+        return [this.frame(), this.status(), ...this.selected === null ? [] : [this.mind()]];
       case 'speed':
         this.speed = keys.factor;
         return [this.status()];
@@ -122,12 +122,18 @@ class FakeCrowd {
       case 'remove_obstacle':
         this.obstacles = this.obstacles.filter(({id}) => id !== keys.obstacle);
         return [this.scene()];
+      case 'remove_wall':
+        if (this.walls.every(({id}) => id !== keys.wall)) {
+          throw new Error(`there is no wall ${keys.wall}`);
+        }
+        this.walls = this.walls.filter(({id}) => id !== keys.wall);
+        return [this.scene()];
       case 'recordings':
         return [{type: 'recordings', names: ['walk', 'broken']}];
       case 'open_recording':
         return [{type: 'recording', name: keys.name, csv: keys.name === 'walk' ? recording() : 'nothing'}];
       default:
-        throw new Error('the fake source refuses this');
+        throw new Error('unknown command');
     }
   }
 }

@@ -1,6 +1,6 @@
 import {boundsOf, readRecording} from './csv_recording';
 import {decodeFrame} from './frame';
-import {Command, Hello, Message, Mind, RobotState, Scene, Status} from './messages';
+import {Command, Hello, Message, Mind, Obstacle, RobotState, Scene, Status} from './messages';
 import {MindPanel} from './mind_panel';
 import {element, notify, setText} from './page';
 import {Picture} from './picture';
@@ -12,6 +12,7 @@ import {Tools} from './tools';
 import {Transport} from './transport';
 
 const PANEL_INTERVAL = 0.2;  // [s]
+const TRANSPORT_INTERVAL = 0.08;
 const RECORDING_TICK = 0.1;  // [s], unless it is known
 const NEW_BOUNDS = 0.5;      // [m]; a scene whose bounds differ by more is looked at as a whole
 
@@ -35,6 +36,7 @@ export class App {
   private mind: Mind | null = null;
   private fitted: Scene['bounds'] | null = null;
   private panelTime = 0;
+  private transportTime = 0;
   private readonly drawn: number[] = [];
 
   /** Shows another source. */
@@ -66,13 +68,14 @@ export class App {
   }
 
   /** Shows a recording in CSV. Fails if it is not one, and shows what was shown before. */
-  openRecording(name: string, csv: string, scene: Scene | null = null): void {
-    const tick = scene?.tick_duration ?? RECORDING_TICK;
-    const frames = readRecording(csv, tick);
+  openRecording(name: string, csv: string, tickDuration = RECORDING_TICK): void {
+    const frames = readRecording(csv, tickDuration);
     this.select(null);
     this.player.open(frames);
+    const scene = name.replace(/\.csv$/, '').endsWith(this.scene?.scenario ?? ' ') ? this.scene : null;
     const bounds = scene?.bounds ?? boundsOf(frames);
-    this.picture.setScene(scene ?? {bounds, walls: [], obstacles: [], map: null, agents: [], robots: []});
+    const {walls, obstacles, map} = scene ?? {walls: [], obstacles: [], map: null};
+    this.picture.setScene({bounds, walls, obstacles, map, agents: [], robots: []});
     this.statistics.sampleAll(this.player.history);
     this.tools.allow([]);
     this.picture.view.fit(bounds);
@@ -97,7 +100,6 @@ export class App {
   /** Draws a frame, given the wall time [s] and the time since the last one. */
   animate(now: number, elapsed: number): void {
     const moved = this.player.update(elapsed);
-    this.transport.update(this.player, this.status);
     if (moved || this.isDirty) {
       this.isDirty = false;
       const mind = this.player.isLive ? this.mind : null;
@@ -108,7 +110,11 @@ export class App {
       this.drawn.shift();
     }
     this.framesPerSecond = this.drawn.length;
-    if (Math.abs(now - this.panelTime) > PANEL_INTERVAL) {
+    if (now - this.transportTime > TRANSPORT_INTERVAL) {
+      this.transportTime = now;
+      this.transport.update(this.player, this.status);
+    }
+    if (now - this.panelTime > PANEL_INTERVAL) {
       this.panelTime = now;
       this.updatePanel();
     }
@@ -127,9 +133,10 @@ export class App {
   }
 
   private receiveFrame(buffer: ArrayBuffer): void {
-    this.player.receive(decodeFrame(buffer), performance.now() / 1000, this.status?.playing ?? false);
+    const moment = this.player.receive(decodeFrame(buffer), performance.now() / 1000, this.status?.playing ?? false);
     if (!this.player.isRecording) {
-      this.statistics.sample(this.player.history, this.status?.arrived);
+      const isOld = this.status === null || this.status.tick > moment.tick;  // of the run before
+      this.statistics.sample(this.player.history, isOld ? undefined : this.status!.arrived);
       this.isDirty = true;
     }
   }
@@ -141,6 +148,12 @@ export class App {
         break;
       case 'scene':
         this.receiveScene(message);
+        break;
+      case 'agents':
+        this.receiveAgents(message.agents);
+        break;
+      case 'obstacles':
+        this.receiveObstacles(message.obstacles);
         break;
       case 'status':
         this.status = message;
@@ -159,7 +172,7 @@ export class App {
         this.transport.listRecordings(message.names);
         break;
       case 'recording':
-        this.openRecording(message.name, message.csv, message.scene ?? null);
+        this.openRecording(message.name, message.csv, message.tick_duration);
     }
   }
 
@@ -195,6 +208,28 @@ export class App {
       this.picture.view.fit(scene.bounds);
     }
     this.isDirty = true;
+  }
+
+  private receiveAgents(agents: Scene['agents']): void {
+    if (this.scene) {
+      const known = new Map(this.scene.agents.map((agent) => [agent.id, agent]));
+      agents.forEach((agent) => known.set(agent.id, agent));
+      this.scene.agents = [...known.values()];
+      if (!this.player.isRecording) {
+        this.picture.setAgents(this.scene.agents);
+        this.isDirty = true;
+      }
+    }
+  }
+
+  private receiveObstacles(obstacles: Obstacle[]): void {
+    if (this.scene) {
+      this.scene.obstacles = obstacles;
+      if (!this.player.isRecording) {
+        this.picture.setObstacles(obstacles);
+        this.isDirty = true;
+      }
+    }
   }
 
   private receiveRobots(robots: RobotState[]): void {

@@ -66,11 +66,4 @@ export class Colours {
   ofPerson(id: number): Rgb {
     return CLOTHES[(Math.imul(id, 0x9e3779b1) >>> 20) % CLOTHES.length];
   }
-
-  /** Writes red, green and blue of each agent in the picture, one after the other. */
-  write(crowd: Crowd, bytes: Uint8Array): void {
-    for (let i = 0; i < crowd.count; ++i) {
-      bytes.set(this.of(crowd, i), 3 * i);
-    }
-  }
 }

@@ -3,7 +3,7 @@ import * as THREE from 'three';
 /** What a part of a figure wears: the index of its colour. */
 enum Cloth { SHIRT, TROUSERS, SKIN, HAIR, SHOES }
 
-/** Height of hips, knees, shoulders and elbows [m]; figures.ts has the same. */
+/** Height of hips, knees, shoulders and elbows [m]; the shaders bend limbs there. */
 export const HIP = 0.92;
 export const KNEE = 0.49;
 export const SHOULDER = 1.42;
@@ -24,8 +24,8 @@ interface Limb {
 }
 
 const TRUNK: Limb[] = [
-  {cloth: Cloth.SHIRT, rings: [[0.86, 0.105, 0.165], [1.0, 0.1, 0.145], [1.27, 0.12, 0.185], [1.41, 0.1, 0.19],
-    [1.47, 0.055, 0.07]]},
+  {cloth: Cloth.SHIRT, rings: [[0.86, 0.105, 0.165], [1.0, 0.1, 0.145], [1.27, 0.12, 0.185], [1.4, 0.1, 0.195],
+    [1.47, 0.06, 0.08]]},
   {cloth: Cloth.SKIN, rings: [[1.44, 0.05, 0.05], [1.53, 0.055, 0.055, 0.01], [1.58, 0.09, 0.075, 0.015],
     [1.66, 0.105, 0.082, 0.015], [1.74, 0.07, 0.06, 0.0]]},
   {cloth: Cloth.HAIR, rings: [[1.57, 0.07, 0.078, -0.035], [1.66, 0.1, 0.09, -0.018], [1.735, 0.09, 0.077, -0.008],
@@ -37,23 +37,11 @@ const LIMBS: Limb[] = [
     [KNEE + 0.02, 0.06, 0.056]]},
   {cloth: Cloth.SHOES, kind: 1, side: 0.09, isLower: true, rings: [[0.0, 0.13, 0.05, 0.05], [0.05, 0.12, 0.048, 0.045],
     [0.1, 0.05, 0.042, 0.0]]},
-  {cloth: Cloth.SHIRT, kind: 2, side: 0.225, rings: [[ELBOW - 0.02, 0.042, 0.04], [1.3, 0.05, 0.045], [SHOULDER, 0.05, 0.042]]},
-  {cloth: Cloth.SHIRT, kind: 2, side: 0.225, isLower: true, rings: [[0.9, 0.034, 0.032], [ELBOW + 0.02, 0.042, 0.039]]},
-  {cloth: Cloth.SKIN, kind: 2, side: 0.225, isLower: true, rings: [[0.78, 0.035, 0.018], [0.85, 0.045, 0.024],
+  {cloth: Cloth.SHIRT, kind: 2, side: 0.212, rings: [[ELBOW - 0.02, 0.042, 0.04], [1.3, 0.05, 0.045], [SHOULDER, 0.05, 0.042]]},
+  {cloth: Cloth.SHIRT, kind: 2, side: 0.212, isLower: true, rings: [[0.9, 0.034, 0.032], [ELBOW + 0.02, 0.042, 0.039]]},
+  {cloth: Cloth.SKIN, kind: 2, side: 0.212, isLower: true, rings: [[0.78, 0.035, 0.018], [0.85, 0.045, 0.024],
     [0.91, 0.03, 0.028]]},
 ];
-/** The same with the rings that still show from far away. */
-const FAR_LIMBS: Limb[] = [
-  {...TRUNK[0], rings: [[0.86, 0.105, 0.165], [1.38, 0.115, 0.19], [1.47, 0.05, 0.07]]},
-  {...TRUNK[1], rings: [[1.46, 0.05, 0.05], [1.63, 0.105, 0.082, 0.015]]},
-  {...TRUNK[2], rings: [[1.6, 0.1, 0.088, -0.02], [1.77, 0.06, 0.055, -0.01]]},
-  {...LIMBS[0], rings: [[KNEE, 0.06, 0.056], [HIP, 0.1, 0.085]]},
-  {...LIMBS[1], rings: [[0.06, 0.05, 0.045], [KNEE, 0.06, 0.056]]},
-  {...LIMBS[2], rings: [[0, 0.12, 0.048, 0.05], [0.08, 0.08, 0.045, 0.02]]},
-  {...LIMBS[3], rings: [[ELBOW, 0.042, 0.04], [SHOULDER, 0.05, 0.042]]},
-  {...LIMBS[4], rings: [[0.8, 0.035, 0.03], [ELBOW, 0.042, 0.039]]},
-];
-
 /** Collects the triangles of limbs. */
 class MeshBuilder {
   private readonly position: number[] = [];
@@ -95,8 +83,8 @@ class MeshBuilder {
     }
   }
 
-  geometry(): THREE.InstancedBufferGeometry {
-    const geometry = new THREE.InstancedBufferGeometry();
+  geometry(): THREE.BufferGeometry {
+    const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.Float32BufferAttribute(this.position, 3));
     geometry.setAttribute('normal', new THREE.Float32BufferAttribute(this.normal, 3));
     geometry.setAttribute('limb', new THREE.Float32BufferAttribute(this.limb, 3));
@@ -105,11 +93,11 @@ class MeshBuilder {
   }
 }
 
-/** Returns the mesh of a standing person who looks along x, with few triangles if it is for far away. */
-export function figureMesh(isFar: boolean): THREE.InstancedBufferGeometry {
+/** Returns the mesh of a standing person who looks along x. */
+export function figureMesh(): THREE.BufferGeometry {
   const builder = new MeshBuilder();
-  for (const limb of isFar ? FAR_LIMBS : [...TRUNK, ...LIMBS]) {
-    const sides = isFar ? (limb.kind ? 3 : 5) : (limb.kind ? 6 : 10);
+  for (const limb of [...TRUNK, ...LIMBS]) {
+    const sides = limb.kind === 2 ? 4 : limb.kind === 1 ? 5 : 8;
     builder.add(limb, sides, 1);
     if (limb.kind) {
       builder.add(limb, sides, -1);

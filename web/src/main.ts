@@ -1,3 +1,4 @@
+import './screen_colours';
 import {App} from './app';
 import {notify} from './page';
 import {addSettings} from './settings';
@@ -32,7 +33,7 @@ async function findSource(): Promise<Source> {
       }
     }
   }
-  return new WorkerSource();
+  return WorkerSource.open();
 }
 
 const app = window.socialCrowd = new App();

@@ -61,7 +61,7 @@ export interface RobotState {
   name: string;
   pose: [number, number, number];
   goal: Point | null;
-  scan: null | {angle_min: number; angle_increment: number; ranges: number[]};
+  scan: null | {angle_min: number; angle_increment: number; ranges: (number | null)[]};
 }
 
 export interface CandidateAction {
@@ -82,10 +82,12 @@ export interface Mind {
 }
 
 export type Message = Hello | Scene | Status | Mind
+  | {type: 'agents'; agents: Scene['agents']}
+  | {type: 'obstacles'; tick: number; obstacles: Obstacle[]}
   | {type: 'robots'; tick: number; robots: RobotState[]}
   | {type: 'error'; command: string | null; message: string}
   | {type: 'recordings'; names: string[]}
-  | {type: 'recording'; name: string; csv: string; scene?: Scene | null};
+  | {type: 'recording'; name: string; csv: string; tick_duration?: number};
 
 export interface Command {
   command: string;

@@ -6,7 +6,7 @@ import {Mind, Point} from './messages';
 
 const ACCENT: Rgb = [37, 99, 235];
 const DARK: Rgb = [23, 32, 51];
-const SECONDS = 0.9;  // an arrow ends where the action leads within this time [s]
+const LONGEST = 1.3;  // [m] of the arrow of the fastest action
 
 /** Returns how good each action is among all, from 0 (the worst) to 1. */
 export function shares({actions}: Mind): number[] {
@@ -33,7 +33,7 @@ export class MindLayer {
   update(crowd: Crowd, selected: number | null, mind: Mind | null, goal: Point | null,
          radiusOf: (id: number) => number, colours: Colours): void {
     const layers = [this.rings, this.lines, this.borders, this.arrows, this.target];
-    layers.forEach((shapes) => shapes.clear());
+    layers.forEach((shapes) => shapes.begin());
     const i = crowd.find(selected);
     if (i >= 0) {
       const [x, y] = [crowd.x[i], crowd.y[i]];
@@ -64,10 +64,11 @@ export class MindLayer {
   }
 
   private addActions(mind: Mind, x: number, y: number, heading: number, radius: number): void {
+    const scale = LONGEST / Math.max(...mind.actions.map(({speed}) => speed), 0.1);
     shares(mind).forEach((share, i) => {
       const {direction, speed} = mind.actions[i];
       const angle = heading + direction;
-      const length = Math.max(SECONDS * speed, 0.12);
+      const length = Math.max(scale * speed, 0.15);
       const [fromX, fromY] = [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
       if (i === mind.chosen) {
         this.borders.add(fromX - 0.05 * Math.cos(angle), fromY - 0.05 * Math.sin(angle), length + 0.16, 0.17, angle, DARK);

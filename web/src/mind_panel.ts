@@ -13,7 +13,7 @@ export class MindPanel {
     if (selected === null) {
       return;
     }
-    const goalText = goal ? `, goal (${goal[0].toFixed(1)}, ${goal[1].toFixed(1)})` : '';
+    const goalText = goal ? ` to (${goal[0].toFixed(1)}, ${goal[1].toFixed(1)})` : '';
     setText('agent', `Agent ${selected}: ${speed.toFixed(2)} m/s${goalText}`);
     const known = mind && mind.agent === selected && mind.actions.length > 0 ? mind : null;
     this.canvas.hidden = !known;
@@ -21,7 +21,7 @@ export class MindPanel {
       setText('choice', 'Its candidate actions are shown when it decides next.');
     } else if (known !== this.shown) {
       const {direction, speed: chosenSpeed, value, visits} = known.actions[known.chosen] ?? known.actions[0];
-      setText('choice', `Chosen of ${known.actions.length}: ${(direction * 180 / Math.PI).toFixed(0)}° at ` +
+      setText('choice', `Chosen of ${known.actions.length}: ${Math.round(direction * 180 / Math.PI)}° at ` +
         `${chosenSpeed.toFixed(2)} m/s, value ${value.toFixed(2)}, ${visits} visits; ` +
         `${known.neighbours.length} neighbours`);
       this.draw(known);

@@ -1,25 +1,24 @@
 import {Colours} from './colours';
 import {Crowd} from './crowd';
 import {DensityGrid} from './density_grid';
-import {Discs} from './discs';
-import {Figures} from './figures';
 import {GoalsLayer} from './goals_layer';
 import {HeatMap} from './heat_map';
 import {History} from './history';
 import {Mind, Point, Scene} from './messages';
 import {MindLayer} from './mind_layer';
+import {People} from './people';
 import {RobotsLayer} from './robots_layer';
 import {Scenery} from './scenery';
 import {Trails} from './trails';
 import {View} from './view';
 
 const MOST_FIGURES = 2000;     // more people are discs unless figures are asked for
-const MOST_DETAILED = 250;     // more figures have few triangles
-const FAR = 0.035;             // [m/pixel]; from here on figures have few triangles as well
+const MOST_MESHES = 400;       // more figures in view are pictures of figures
+const MOST_MESHES_SOFTWARE = 60;
 const HEAT_INTERVAL = 0.2;     // [s]
 const USUAL_RADIUS = 0.25;     // [m]
 
-export type People = 'auto' | 'figures' | 'discs';
+export type Shape = 'auto' | 'figures' | 'discs';
 export type SceneContent = Pick<Scene, 'bounds' | 'walls' | 'obstacles' | 'map' | 'agents' | 'robots'>;
 
 /** All that is drawn of a crowd. */
@@ -29,12 +28,10 @@ export class Picture {
   readonly crowd = new Crowd();
   readonly grid = new DensityGrid();
   readonly robots = new RobotsLayer();
-  people: People = 'auto';
+  shape: Shape = 'auto';
   bounds: Scene['bounds'] = [-5, -5, 5, 5];
-  private readonly figures = new Figures();
-  private readonly shadows = new Discs(true);
-  private readonly discs = new Discs(false);
-  private readonly trails = new Trails();
+  private readonly figures = new People();
+  private readonly trails: Trails;
   private readonly heatMap = new HeatMap(this.grid);
   private readonly goals = new GoalsLayer();
   private readonly mindLayer = new MindLayer();
@@ -47,13 +44,14 @@ export class Picture {
 
   constructor(canvas: HTMLCanvasElement) {
     this.view = new View(canvas);
-    this.view.scene.add(this.scenery.group, this.heatMap.mesh, this.trails.mesh, this.shadows.mesh, this.discs.mesh,
-      this.figures.mesh, this.goals.mesh, this.mindLayer.group, this.robots.group);
-    this.goals.mesh.visible = false;
+    this.trails = new Trails(this.view.isSoftware);
+    this.view.scene.add(this.scenery.group, this.heatMap.mesh, this.trails.mesh, this.figures.group,
+      this.goals.group, this.mindLayer.group, this.robots.group);
+    this.goals.group.visible = false;
   }
 
   get showsFigures(): boolean {
-    return this.people === 'figures' || (this.people === 'auto' && this.crowd.count <= MOST_FIGURES);
+    return this.shape === 'figures' || (this.shape === 'auto' && this.crowd.count <= MOST_FIGURES);
   }
 
   get showsDensities(): boolean {
@@ -63,18 +61,27 @@ export class Picture {
   /** Shows another scene, or changes of the present one. */
   setScene(scene: SceneContent): void {
     this.bounds = scene.bounds;
-    this.radii.clear();
-    this.goalPlaces.clear();
-    for (const {id, radius, goal} of scene.agents) {
-      this.radii.set(id, radius);
-      this.goalPlaces.set(id, goal);
-    }
+    this.setAgents(scene.agents);
     this.scenery.show(scene);
     this.robots.show(scene.robots);
-    this.goals.show(scene.agents, this.colours);
     this.grid.cover(scene.bounds);
     this.heatMap.cover();
     this.heatTime = NaN;
+  }
+
+  /** Shows all agents that there are in the scene. */
+  setAgents(agents: Scene['agents']): void {
+    this.radii.clear();
+    this.goalPlaces.clear();
+    for (const {id, radius, goal} of agents) {
+      this.radii.set(id, radius);
+      this.goalPlaces.set(id, goal);
+    }
+    this.goals.show(agents, this.colours);
+  }
+
+  setObstacles(obstacles: Scene['obstacles']): void {
+    this.scenery.showObstacles(obstacles);
   }
 
   goalOf(id: number | null): Point | null {
@@ -82,12 +89,11 @@ export class Picture {
   }
 
   setPaths(shown: boolean): void {
-    this.trails.mesh.visible = shown;
-    this.trails.clear();
+    this.trails.isShown = shown;
   }
 
   setGoals(shown: boolean): void {
-    this.goals.mesh.visible = shown;
+    this.goals.group.visible = shown;
   }
 
   setDensities(shown: boolean): void {
@@ -99,19 +105,9 @@ export class Picture {
   draw(history: History, time: number, selected: number | null, mind: Mind | null): void {
     const {crowd, view} = this;
     crowd.interpolate(history, time);
-    const figures = this.showsFigures;
-    this.figures.mesh.visible = this.shadows.mesh.visible = figures;
-    this.discs.mesh.visible = !figures;
-    if (figures) {
-      const isFar = crowd.count > MOST_DETAILED || view.metresPerPixel > FAR;
-      this.figures.update(crowd, this.colours, this.radiusOf, isFar);
-      this.shadows.update(crowd, this.colours, this.radiusOf);
-    } else {
-      this.discs.update(crowd, this.colours, this.radiusOf);
-    }
-    if (this.trails.mesh.visible) {
-      this.trails.update(history, time, this.colours, view.metresPerPixel);
-    }
+    this.figures.update(crowd, this.colours, this.radiusOf, view, this.showsFigures,
+      view.isSoftware ? MOST_MESHES_SOFTWARE : MOST_MESHES);
+    this.trails.update(history, time, this.colours, view.metresPerPixel);
     if (this.showsDensities && !(Math.abs(time - this.heatTime) < HEAT_INTERVAL)) {
       this.heatTime = time;
       this.grid.compute(crowd);

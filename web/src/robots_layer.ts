@@ -4,22 +4,22 @@ import {RobotState, Scene} from './messages';
 import {Rgb} from './colours';
 
 const BODY = 0xf28c28;
+const BEAM = 0xd62839;
 const SCAN: Rgb = [214, 40, 57];
 const ORANGE: Rgb = [242, 140, 40];
-const POINTS = 20000;
 const USUAL_RADIUS = 0.3;
 
 /** Robots with their goals, and the ends of the rays of their laser scans. */
 export class RobotsLayer {
   readonly group = new THREE.Group();
   private readonly bodies = new Map<string, THREE.Group>();
-  private readonly scans = new FlatShapes('disc', POINTS, 0.05);
+  private readonly scans = new FlatShapes('dot', 1024, 0.05);
   private readonly goals = new FlatShapes('target', 256, 0.03);
   private readonly beams: THREE.Mesh<THREE.BufferGeometry, THREE.MeshBasicMaterial>;
 
   constructor() {
     this.beams = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({
-      color: SCAN_COLOUR, transparent: true, opacity: 0.09, depthWrite: false, side: THREE.DoubleSide}));
+      color: BEAM, transparent: true, opacity: 0.09, depthWrite: false, side: THREE.DoubleSide}));
     this.beams.frustumCulled = false;
     this.beams.renderOrder = 1;
     this.group.add(this.scans.mesh, this.goals.mesh, this.beams);
@@ -34,8 +34,8 @@ export class RobotsLayer {
   }
 
   update(robots: RobotState[]): void {
-    this.scans.clear();
-    this.goals.clear();
+    this.scans.begin(robots.reduce((sum, {scan}) => sum + (scan?.ranges.length ?? 0), 0));
+    this.goals.begin(robots.length);
     const beams: number[] = [];
     for (const robot of robots) {
       const body = this.bodies.get(robot.name) ?? this.makeBody(robot.name, USUAL_RADIUS);
@@ -59,7 +59,7 @@ export class RobotsLayer {
     let before: [number, number] | null = null;
     scan.ranges.forEach((range, i) => {
       const angle = heading + scan.angle_min + i * scan.angle_increment;
-      const end: [number, number] | null = range > 0 && Number.isFinite(range)
+      const end: [number, number] | null = range !== null && range > 0 && Number.isFinite(range)
         ? [x + range * Math.cos(angle), y + range * Math.sin(angle)] : null;
       if (end) {
         this.scans.add(end[0], end[1], 0.05, 0.05, 0, SCAN);
@@ -86,5 +86,3 @@ export class RobotsLayer {
     return body;
   }
 }
-
-const SCAN_COLOUR = 0xd62839;

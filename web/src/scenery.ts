@@ -1,51 +1,57 @@
 import * as THREE from 'three';
+import {mapCells, occupiedRectangles} from './map_cells';
 import {GridMap, Obstacle, Scene, Wall} from './messages';
-import {Rectangle, mapCells, occupiedRectangles} from './map_cells';
 
-const WALL_HEIGHT = 0.9;  // [m]; low, so that people behind are seen
+const HEIGHT = 0.9;      // [m] of walls; low, so that people behind are seen
 const WALL_WIDTH = 0.12;
-const WALL = 0x5b6678;
-const OBSTACLE = 0x8b97a8;
+const WALL = new THREE.Color(0x66738a);
+const OBSTACLE = new THREE.Color(0x8d9aae);
 const FLOOR = 0xfafbfc;
-const MARGIN = 2;
+const MARGIN = 2;        // [m] of floor around the scene
+const SIDES = 24;        // of an obstacle
 
 /** Floor, walls, obstacles and map of a scene. */
 export class Scenery {
   readonly group = new THREE.Group();
-  private readonly box = new THREE.BoxGeometry(1, 1, 1).translate(0, 0, 0.5);
-  private readonly cylinder = new THREE.CylinderGeometry(1, 1, 1, 24).rotateX(Math.PI / 2).translate(0, 0, 0.5);
-  private readonly wallMaterial = shaded(WALL);
-  private readonly obstacleMaterial = shaded(OBSTACLE);
-  private readonly matrix = new THREE.Matrix4();
+  private obstacles = new Solids().mesh();
 
   /** Shows a scene instead of the one before. */
   show(scene: Pick<Scene, 'bounds' | 'walls' | 'obstacles' | 'map'>): void {
-    for (const child of [...this.group.children] as (THREE.Mesh | THREE.LineSegments | THREE.InstancedMesh)[]) {
-      this.group.remove(child);
-      if (child.geometry !== this.box && child.geometry !== this.cylinder) {
-        child.geometry.dispose();
-      }
-      if (child instanceof THREE.InstancedMesh) {
-        child.dispose();
-      }
+    for (const child of [...this.group.children] as THREE.Mesh[]) {
+      this.remove(child);
+    }
+    const solids = new Solids();
+    scene.walls.forEach((wall) => addWall(solids, wall));
+    if (scene.map) {
+      addMap(solids, scene.map);
     }
     this.addFloor(scene.bounds);
-    this.addWalls(scene.walls);
-    this.addObstacles(scene.obstacles);
-    if (scene.map) {
-      this.addMap(scene.map);
-    }
-    this.group.traverse((part) => part.updateMatrix());
+    this.group.add(solids.mesh());
+    this.showObstacles(scene.obstacles);
+  }
+
+  /** Shows obstacles instead of those before. */
+  showObstacles(obstacles: Obstacle[]): void {
+    this.remove(this.obstacles);
+    const solids = new Solids();
+    obstacles.forEach((obstacle) => addObstacle(solids, obstacle));
+    this.obstacles = solids.mesh();
+    this.group.add(this.obstacles);
+  }
+
+  private remove(part: THREE.Mesh): void {
+    this.group.remove(part);
+    part.geometry.dispose();
+    (part.material as THREE.Material).dispose();
   }
 
   private addFloor([x0, y0, x1, y1]: Scene['bounds']): void {
     const [left, right] = [Math.floor(x0 - MARGIN), Math.ceil(x1 + MARGIN)];
     const [low, high] = [Math.floor(y0 - MARGIN), Math.ceil(y1 + MARGIN)];
     const floor = new THREE.Mesh(new THREE.PlaneGeometry(right - left, high - low),
-      new THREE.MeshBasicMaterial({color: FLOOR}));
+      new THREE.MeshBasicMaterial({color: FLOOR, depthWrite: false}));
     floor.position.set((left + right) / 2, (low + high) / 2, 0);
     floor.renderOrder = -2;
-    floor.material.depthWrite = false;
     const spacing = Math.max(right - left, high - low) > 60 ? 5 : 1;
     const points: number[] = [];
     for (let x = Math.ceil(left / spacing) * spacing; x <= right; x += spacing) {
@@ -55,62 +61,72 @@ export class Scenery {
       points.push(left, y, 0, right, y, 0);
     }
     const grid = new THREE.LineSegments(new THREE.BufferGeometry(),
-      new THREE.LineBasicMaterial({color: 0xe6eaf0, depthWrite: false}));
+      new THREE.LineBasicMaterial({color: 0xe8ecf2, depthWrite: false}));
     grid.geometry.setAttribute('position', new THREE.Float32BufferAttribute(points, 3));
     grid.renderOrder = -1;
     this.group.add(floor, grid);
   }
+}
 
-  private addWalls(walls: Wall[]): void {
-    const mesh = new THREE.InstancedMesh(this.box, this.wallMaterial, walls.length);
-    walls.forEach(({from, to}, i) => {
-      const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-      this.matrix.makeRotationZ(Math.atan2(dy, dx));
-      this.matrix.scale(new THREE.Vector3(Math.hypot(dx, dy) + WALL_WIDTH, WALL_WIDTH, WALL_HEIGHT));
-      this.matrix.setPosition((from[0] + to[0]) / 2, (from[1] + to[1]) / 2, 0);
-      mesh.setMatrixAt(i, this.matrix);
-    });
-    this.group.add(mesh);
-  }
+function addWall(solids: Solids, {from, to}: Wall): void {
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
+  const along = [(to[0] - from[0]) / length * WALL_WIDTH / 2, (to[1] - from[1]) / length * WALL_WIDTH / 2];
+  const corner = (end: number[], ahead: number, left: number): number[] =>
+    [end[0] + ahead * along[0] - left * along[1], end[1] + ahead * along[1] + left * along[0]];
+  solids.add([corner(from, -1, -1), corner(to, 1, -1), corner(to, 1, 1), corner(from, -1, 1)], WALL);
+}
 
-  private addObstacles(obstacles: Obstacle[]): void {
-    const mesh = new THREE.InstancedMesh(this.cylinder, this.obstacleMaterial, obstacles.length);
-    obstacles.forEach(({position, radius}, i) => {
-      this.matrix.makeScale(radius, radius, WALL_HEIGHT);
-      this.matrix.setPosition(position[0], position[1], 0);
-      mesh.setMatrixAt(i, this.matrix);
-    });
-    this.group.add(mesh);
-  }
+function addObstacle(solids: Solids, {position, radius}: Obstacle): void {
+  solids.add(Array.from({length: SIDES}, (_, i) => {
+    const angle = 2 * Math.PI * i / SIDES;
+    return [position[0] + radius * Math.cos(angle), position[1] + radius * Math.sin(angle)];
+  }), OBSTACLE);
+}
 
-  private addMap(map: GridMap): void {
-    const cells = mapCells(map);
-    const rectangles = occupiedRectangles(map, cells);
-    const mesh = new THREE.InstancedMesh(this.box, this.wallMaterial, rectangles.length);
-    const origin = new THREE.Matrix4().makeRotationZ(map.origin[2]);
-    origin.setPosition(map.origin[0], map.origin[1], 0);
-    rectangles.forEach(({column, row, width, height}: Rectangle, i) => {
-      this.matrix.makeScale(width * map.resolution, height * map.resolution, WALL_HEIGHT);
-      this.matrix.setPosition((column + width / 2) * map.resolution, (row + height / 2) * map.resolution, 0);
-      mesh.setMatrixAt(i, this.matrix.premultiply(origin));
-    });
-    this.group.add(mesh);
+function addMap(solids: Solids, map: GridMap): void {
+  const [x, y, yaw] = map.origin;
+  const place = (column: number, row: number): number[] => {
+    const [u, v] = [column * map.resolution, row * map.resolution];
+    return [x + u * Math.cos(yaw) - v * Math.sin(yaw), y + u * Math.sin(yaw) + v * Math.cos(yaw)];
+  };
+  for (const {column, row, width, height} of occupiedRectangles(map, mapCells(map))) {
+    solids.add([place(column, row), place(column + width, row), place(column + width, row + height),
+      place(column, row + height)], WALL);
   }
 }
 
-/** Returns a material with its sides darker than its top, without lights in the scene. */
-function shaded(colour: number): THREE.ShaderMaterial {
-  return new THREE.ShaderMaterial({
-    uniforms: {colour: {value: new THREE.Color(colour)}},
-    vertexShader: `varying float light;
-void main() {
-  vec3 n = normalize(mat3(instanceMatrix) * (normal / vec3(dot(instanceMatrix[0].xyz, instanceMatrix[0].xyz),
-    dot(instanceMatrix[1].xyz, instanceMatrix[1].xyz), dot(instanceMatrix[2].xyz, instanceMatrix[2].xyz))));
-  light = 0.82 + 0.3 * dot(n, vec3(-0.42, -0.5, 0.76));
-  gl_Position = projectionMatrix * viewMatrix * instanceMatrix * vec4(position, 1.0);
-}`,
-    fragmentShader: `uniform vec3 colour;
-varying float light;
-void main() { gl_FragColor = vec4(colour * light, 1.0); }`,
-  });
+/** Upright prisms on the floor, lit from one side: one draw call for all. */
+class Solids {
+  private readonly position: number[] = [];
+  private readonly colour: number[] = [];
+
+  /** Adds a prism on a convex outline, whose corners are counter-clockwise. */
+  add(outline: number[][], colour: THREE.Color): void {
+    outline.forEach(([x0, y0], i) => {
+      const [x1, y1] = outline[(i + 1) % outline.length];
+      const length = Math.hypot(x1 - x0, y1 - y0) || 1;
+      const light = 0.72 + 0.2 * (-0.6 * (y1 - y0) + 0.8 * (x1 - x0)) / length;
+      this.triangle([x0, y0, 0], [x1, y1, 0], [x1, y1, HEIGHT], colour, light);
+      this.triangle([x0, y0, 0], [x1, y1, HEIGHT], [x0, y0, HEIGHT], colour, light);
+      if (i > 0 && i + 1 < outline.length) {
+        this.triangle([...outline[0], HEIGHT], [x0, y0, HEIGHT], [x1, y1, HEIGHT], colour, 1.12);
+      }
+    });
+  }
+
+  mesh(): THREE.Mesh {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(this.position, 3));
+    geometry.setAttribute('color', new THREE.Float32BufferAttribute(this.colour, 3));
+    const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({vertexColors: true}));
+    mesh.frustumCulled = false;
+    return mesh;
+  }
+
+  private triangle(a: number[], b: number[], c: number[], {r, g, b: blue}: THREE.Color, light: number): void {
+    this.position.push(...a, ...b, ...c);
+    for (let i = 0; i < 3; ++i) {
+      this.colour.push(r * light, g * light, blue * light);
+    }
+  }
 }

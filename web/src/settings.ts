@@ -2,16 +2,18 @@ import type {App} from './app';
 import {ColourMode, css, DENSITY_TABLE} from './colours';
 import {HIGHEST_DENSITY} from './heat_map';
 import {element, notify, setIcon} from './page';
-import {People} from './picture';
+import {Shape} from './picture';
 
 const ZOOM = 1.3;
 const NARROW = 760;  // [pixels]; the panel is hidden at first in a narrower window
+const PANEL_WIDTH = 272;
 
 /** Connects the settings of the picture with their buttons, and takes files that are dropped. */
 export function addSettings(app: App): void {
   const {picture} = app;
   const {view} = picture;
   const redraw = () => app.isDirty = true;
+  const leaveRoom = () => view.setCovered(element('panel').hidden || window.innerWidth < NARROW ? 0 : PANEL_WIDTH);
   const check = (id: string, act: (shown: boolean) => void) => {
     const box = element<HTMLInputElement>(id);
     box.onchange = () => {
@@ -28,7 +30,7 @@ export function addSettings(app: App): void {
   });
   drawLegend();
   element<HTMLSelectElement>('people').onchange = ({target}) => {
-    picture.people = (target as HTMLSelectElement).value as People;
+    picture.shape = (target as HTMLSelectElement).value as Shape;
     redraw();
   };
   element<HTMLSelectElement>('colour').onchange = ({target}) => {
@@ -45,7 +47,10 @@ export function addSettings(app: App): void {
       view.setPerspective(!view.isPerspective);
       view.fit(picture.bounds);
     },
-    'toggle-panel': () => element('panel').hidden = !element('panel').hidden,
+    'toggle-panel': () => {
+      element('panel').hidden = !element('panel').hidden;
+      leaveRoom();
+    },
   };
   for (const [id, act] of Object.entries(buttons)) {
     element(id).onclick = () => {
@@ -63,6 +68,7 @@ export function addSettings(app: App): void {
   }
   new ResizeObserver(() => {
     view.resize();
+    leaveRoom();
     redraw();
   }).observe(view.renderer.domElement);
   takeFiles(app);

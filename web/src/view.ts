@@ -11,10 +11,14 @@ const LARGEST = 2000;
 export class View {
   readonly scene = new THREE.Scene();
   readonly renderer: THREE.WebGLRenderer;
+  /** Whether there is no graphics card, so that less detail is drawn. */
+  readonly isSoftware: boolean;
   /** Whether the camera looks in perspective, or straight down. */
   isPerspective = true;
   width = 1;
   height = 1;
+  /** Pixels at the edges that the panels cover: left, top, right, bottom. */
+  private readonly covered = [64, 62, 0, 62];
   private readonly perspective = new THREE.PerspectiveCamera(FIELD_OF_VIEW);
   private readonly orthographic = new THREE.OrthographicCamera();
   private readonly target = new THREE.Vector3();
@@ -22,12 +26,13 @@ export class View {
   private readonly pointer = new THREE.Vector2();
   private readonly projected = new THREE.Vector3();
   private extent = 20;  // height of the picture at the target [m]
-  private azimuth = -0.5;
-  private polar = 0.95;
+  private azimuth = -0.35;
+  private polar = 0.9;
 
   constructor(canvas: HTMLCanvasElement) {
-    THREE.ColorManagement.enabled = false;  // colours are those of the screen throughout
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, powerPreference: 'high-performance'});
+    this.isSoftware = drawsInSoftware();
+    this.renderer = new THREE.WebGLRenderer({
+      canvas, antialias: !this.isSoftware, powerPreference: 'high-performance', stencil: false});
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.renderer.setClearColor(0xe9edf2);
     this.perspective.up.set(0, 0, 1);
@@ -36,6 +41,15 @@ export class View {
 
   get camera(): THREE.Camera {
     return this.isPerspective ? this.perspective : this.orthographic;
+  }
+
+  /** Angle between the view and straight down. */
+  get polarAngle(): number {
+    return this.isPerspective ? this.polar : 0;
+  }
+
+  get azimuthAngle(): number {
+    return this.isPerspective ? this.azimuth : 0;
   }
 
   /** Metres of a pixel at the middle of the picture. */
@@ -57,16 +71,27 @@ export class View {
     this.renderer.render(this.scene, this.camera);
   }
 
+  /** Leaves room for a panel at the right [pixels]. */
+  setCovered(right: number): void {
+    this.covered[2] = right;
+    this.place();
+  }
+
   /** Shows the whole of a box of the floor. */
   fit([x0, y0, x1, y1]: [number, number, number, number]): void {
-    const aspect = this.width / this.height;
+    const [left, top, right, bottom] = this.covered;
+    const [freeWidth, freeHeight] = [Math.max(this.width - left - right, 100), Math.max(this.height - top - bottom, 100)];
     this.target.set((x0 + x1) / 2, (y0 + y1) / 2, 0);
-    const [sine, cosine] = [Math.abs(Math.sin(this.azimuth)), Math.abs(Math.cos(this.azimuth))];
-    const [width, depth] = this.isPerspective
-      ? [(x1 - x0) * cosine + (y1 - y0) * sine, (x1 - x0) * sine + (y1 - y0) * cosine] : [x1 - x0, y1 - y0];
-    const seen = this.isPerspective ? Math.cos(this.polar) * 1.25 : 1;
-    this.extent = 1.12 * Math.max(depth * seen, width / aspect * (this.isPerspective ? 1.1 : 1), 4);
+    this.extent = Math.max(1.06 * Math.max((x1 - x0) * this.height / freeWidth, (y1 - y0) * this.height / freeHeight), 4);
     this.place();
+    for (let i = 0; i < 2 && this.isPerspective; ++i) {
+      const pixels = [[x0, y0], [x0, y1], [x1, y0], [x1, y1]].map((corner) => this.pixelOf(corner as Point));
+      const [xs, ys] = [0, 1].map((axis) => pixels.map((pixel) => pixel[axis]));
+      const [width, height] = [xs, ys].map((values) => Math.max(...values) - Math.min(...values));
+      this.extent *= 1.04 * Math.max(width / freeWidth, height / freeHeight);
+      this.pan((Math.max(...xs) + Math.min(...xs)) / 2, (Math.max(...ys) + Math.min(...ys)) / 2,
+        (left + this.width - right) / 2, (top + this.height - bottom) / 2);
+    }
   }
 
   setPerspective(isPerspective: boolean): void {
@@ -134,6 +159,10 @@ export class View {
     this.perspective.lookAt(this.target);
     this.perspective.updateProjectionMatrix();
     this.perspective.updateMatrixWorld();
+    const [left, top, right, bottom] = this.covered;
+    const offset = [this.width, this.height, (right - left) / 2, (bottom - top) / 2, this.width, this.height] as const;
+    this.perspective.setViewOffset(...offset);
+    this.orthographic.setViewOffset(...offset);
     const half = this.extent / 2;
     Object.assign(this.orthographic, {left: -half * aspect, right: half * aspect, top: half, bottom: -half,
       near: 0.1, far: 200});
@@ -141,4 +170,13 @@ export class View {
     this.orthographic.updateProjectionMatrix();
     this.orthographic.updateMatrixWorld();
   }
+}
+
+/** Returns whether WebGL draws without a graphics card. */
+function drawsInSoftware(): boolean {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = context && names ? String(context.getParameter(names.UNMASKED_RENDERER_WEBGL)) : '';
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software/i.test(name);
 }

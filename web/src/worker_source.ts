@@ -5,47 +5,42 @@ const SCRIPT = 'social_crowd.js';
 
 declare global {
   interface Window {
-    /** The code of the worker, in social_crowd.js. */
+    /** What the worker runs; defined by the script beside the page. */
     socialCrowdWorker?: () => void;
   }
 }
 
-/** The core as WebAssembly, in a worker of the page. */
+/** The core as WebAssembly, in a worker of the page. Works from a file too. */
 export class WorkerSource implements Source {
-  private worker: Worker | null = null;
-  private isClosed = false;
-  private readonly waiting: Command[] = [];
+  /** Resolves when the worker has been started; rejects if its script is not beside the page. */
+  static open(): Promise<WorkerSource> {
+    return new Promise((resolve, reject) => {
+      const script = document.createElement('script');
+      script.src = SCRIPT;
+      script.onload = () => {
+        const address = URL.createObjectURL(new Blob([`(${window.socialCrowdWorker})()`]));
+        resolve(new WorkerSource(new Worker(address)));
+      };
+      script.onerror = () => reject(new Error('No server answers, and the simulation for browsers ' +
+        `(${SCRIPT}) is not beside this page. A recording can be dropped on the page.`));
+      document.head.append(script);
+    });
+  }
+
+  private constructor(private readonly worker: Worker) {}
 
   send(command: Command): void {
-    if (this.worker) {
-      this.worker.postMessage(command);
-    } else {
-      this.waiting.push(command);
-    }
+    this.worker.postMessage(command);
   }
 
   onMessage(handler: (message: object | ArrayBuffer) => void): void {
-    const fail = (message: string) => handler({type: 'error', command: null, message});
-    const script = document.createElement('script');
-    script.src = SCRIPT;
-    script.onerror = () => fail('No server answers, and the simulation for browsers is not beside this page. ' +
-      'A recording can be dropped on the page.');
-    script.onload = () => {
-      if (this.isClosed) {
-        return;
-      }
-      // A page that was opened as a file cannot start a worker from another file.
-      const code = URL.createObjectURL(new Blob([`(${window.socialCrowdWorker})()`]));
-      this.worker = new Worker(code);
-      this.worker.onmessage = ({data}) => handler(data as object | ArrayBuffer);
-      this.worker.onerror = ({message}) => fail(`The simulation has ended: ${message}`);
-      this.waiting.forEach((command) => this.send(command));
-    };
-    document.head.append(script);
+    this.worker.onmessage = ({data}) => handler(data as object | ArrayBuffer);
+    this.worker.onerror = ({message}) => handler({
+      type: 'error', command: null, message: `The simulation in the browser has ended: ${message}`,
+    });
   }
 
   close(): void {
-    this.isClosed = true;
-    this.worker?.terminate();
+    this.worker.terminate();
   }
 }

@@ -1,5 +1,6 @@
 #include "ros/controller/crowd_broadcaster.h"
 
+#include <geometry_msgs/PoseArray.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <rosgraph_msgs/Clock.h>
 #include <social_crowd/Walls.h>
@@ -9,16 +10,19 @@
 #include "ros/messages/names.h"
 #include "ros/messages/publish_latched.h"
 #include "ros/messages/topic_defaults.h"
+#include "ros/robots/robot_messages.h"
 
 namespace crowd {
-namespace {}  // namespace
 
 CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParameters& parameters)
     : node_(node),
       publish_clock_(parameters.publish_clock),
       clock_(1, 0),  // ROS takes zero as no time received yet
       parameters_(parameters),
-      agents_(node.advertise<social_crowd::AgentStates>(names::AGENTS, QUEUE)),
+      // A new subscriber gets the agents also during a pause.
+      agents_(node.advertise<social_crowd::AgentStates>(
+          names::AGENTS, QUEUE, [this](const ros::SingleSubscriberPublisher& /*new*/) { agents_published_.reset(); })),
+      poses_(node.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE)),
       scenario_(node.advertise<social_crowd::Scenario>(names::SCENARIO, QUEUE, LATCHED)),
       walls_(node.advertise<social_crowd::Walls>(names::WALLS, QUEUE, LATCHED)),
       results_(node.advertise<social_crowd::EpisodeResult>(names::EPISODE_RESULTS, QUEUE)) {
@@ -68,6 +72,7 @@ void CrowdBroadcaster::publishAgentsNow(const Episode& episode) {
   agents_published_ = {episode.number(), episode.changes()};
   agents_published_at_ = ros::SteadyTime::now();
   if (agents_.getNumSubscribers() > 0) publishStates(episode);
+  if (poses_.getNumSubscribers() > 0) publishPoses(episode);
   if (frames_broadcaster_ && frames_subscribers_.getNumSubscribers() > 0) publishFrames(episode);
 }
 
@@ -77,6 +82,15 @@ void CrowdBroadcaster::publishStates(const Episode& episode) {
   message->header = header();
   message->episode = episode.number();
   agents_.publish(message);
+}
+
+void CrowdBroadcaster::publishPoses(const Episode& episode) {
+  geometry_msgs::PoseArray message;
+  message.header = header();
+  for (const Agent& agent : episode.world().agents()) {
+    if (agent.isPresent()) message.poses.push_back(toMessage(agent.pose));
+  }
+  poses_.publish(message);
 }
 
 void CrowdBroadcaster::publishFrames(const Episode& episode) {

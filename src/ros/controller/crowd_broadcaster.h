@@ -53,6 +53,7 @@ class CrowdBroadcaster {
   bool isDueToPublishAgents() const;
   bool hasPublishedAgents(const Episode& episode) const;
   void publishStates(const Episode& episode);
+  void publishPoses(const Episode& episode);
   void publishFrames(const Episode& episode);
 
   ros::NodeHandle node_;
@@ -62,6 +63,7 @@ class CrowdBroadcaster {
   ros::SteadyTime agents_published_at_;
   std::optional<std::pair<std::uint64_t, std::uint64_t>> agents_published_;  // episode, and number of changes
   ros::Publisher agents_;
+  ros::Publisher poses_;
   ObjectPool<social_crowd::AgentStatesPtr> states_;
   ros::Publisher scenario_;
   ros::Publisher walls_;
