@@ -57,7 +57,9 @@ async def serve(server, arguments, token, tasks):
     await runner.setup()
     tasks = [asyncio.ensure_future(task) for task in [*tasks, ended.wait()]]
     try:
-        site = web.TCPSite(runner, arguments.host, arguments.port, shutdown_timeout=PATIENCE)
+        # A name of this machine may stand for several addresses, and a free port would be another one at each.
+        host = '127.0.0.1' if arguments.host == 'localhost' else arguments.host
+        site = web.TCPSite(runner, host, arguments.port, shutdown_timeout=PATIENCE)
         await site.start()
         number = runner.addresses[0][1]
         print(f'web_server: open {url_of(arguments.host, number, token)}', flush=True)
