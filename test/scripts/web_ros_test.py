@@ -108,7 +108,7 @@ class RosBackEndTest:
         run(test(start_server(runner, '--ros', environment=ros.environment)))
 
     def test_client_of_foxglove(self, runner, ros, node_clients):
-        ros.start_crowd(in_package('config', 'scenarios', 'robot_circle_5.yaml'), publish_clock=False)
+        ros.start_crowd('robot_circle_5')
         ros.start_node('crowd_markers')
         server = start_server(runner, '--ros', environment=ros.environment)
         wait_for(lambda: '/markers' in dict(ros.master.getTopicTypes()), 'the markers')
@@ -127,7 +127,7 @@ class RosBackEndTest:
         wait_for(lambda: not ros.topics_of('/web_server'), 'the end of the subscriptions')
 
     def test_client_of_rosbridge(self, runner, ros, node_clients):
-        ros.start_crowd(in_package('config', 'scenarios', 'robot_circle_5.yaml'))
+        ros.start_crowd('robot_circle_5')
         server = start_server(runner, '--ros', environment=ros.environment)
         words = ['/agents', 'social_crowd/AgentStates', '/robot/scan', 'sensor_msgs/LaserScan', '/learner_status',
                  'social_crowd/LearnerStatus', '/robots', 'social_crowd/RobotStates']

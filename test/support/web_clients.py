@@ -115,7 +115,8 @@ class Page:
                 elif message.type == aiohttp.WSMsgType.BINARY:
                     found = Frame(message.data)
                 else:
-                    raise ConnectionError(f'closed: {self.socket.close_code}')
+                    is_close = message.type == aiohttp.WSMsgType.CLOSE
+                    raise ConnectionError(f'closed: {message.data if is_close else self.socket.close_code}')
                 if fits(found):
                     return found
         return await asyncio.wait_for(next_one(), PATIENCE)
