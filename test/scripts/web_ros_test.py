@@ -112,14 +112,14 @@ class RosBackEndTest:
         ros.start_node('crowd_markers')
         server = start_server(runner, '--ros', environment=ros.environment)
         wait_for(lambda: '/markers' in dict(ros.master.getTopicTypes()), 'the markers')
-        topics = ['/agents', '/markers', '/scenario', '/walls', '/robots', '/controller_status', '/people_poses', '/tf',
-                  '/robot/scan', '/robot/odom']
+        topics = ['/agents', '/markers', '/scenario', '/walls', '/robots', '/controller_status', '/agent_poses', '/tf',
+                  '/scan', '/odom']
         seen = run_client(node_clients, 'foxglove_client.mjs', f'ws://127.0.0.1:{server.port}/', *topics)
         assert seen['info']['supportedEncodings'] == ['ros1']
-        assert seen['types']['/people_poses'] == 'geometry_msgs/PoseArray'
-        assert seen['types']['/robot/scan'] == 'sensor_msgs/LaserScan'
+        assert seen['types']['/agent_poses'] == 'geometry_msgs/PoseArray'
+        assert seen['types']['/scan'] == 'sensor_msgs/LaserScan'
         assert [agent['agent'] for agent in seen['messages']['/agents']['agents']] == [0, 1, 2, 3, 4]
-        assert len(seen['messages']['/people_poses']['poses']) == 5
+        assert len(seen['messages']['/agent_poses']['poses']) == 5
         assert seen['messages']['/scenario']['name'] == 'robot_circle_5'
         paused, refused, misfit = seen['calls']
         assert paused['success'] is True and refused['success'] is False
@@ -129,12 +129,12 @@ class RosBackEndTest:
     def test_client_of_rosbridge(self, runner, ros, node_clients):
         ros.start_crowd('robot_circle_5')
         server = start_server(runner, '--ros', environment=ros.environment)
-        words = ['/agents', 'social_crowd/AgentStates', '/robot/scan', 'sensor_msgs/LaserScan', '/learner_status',
+        words = ['/agents', 'social_crowd/AgentStates', '/scan', 'sensor_msgs/LaserScan', '/learner_status',
                  'social_crowd/LearnerStatus', '/robots', 'social_crowd/RobotStates']
         seen = run_client(node_clients, 'rosbridge_client.mjs', f'ws://127.0.0.1:{server.port}/rosbridge', *words)
         assert '/agents' in seen['topics']['topics']
         assert len(seen['messages']['/agents']['agents']) == 5
-        assert None in seen['messages']['/robot/scan']['ranges']  # infinite: nothing was seen
+        assert None in seen['messages']['/scan']['ranges']  # infinite: nothing was seen
         paused, spawned, misfit, other = seen['calls']
         assert paused['success'] is True and spawned['success'] is True and spawned['agent'] == 5
         assert 'position' in misfit['failure'] and 'no service' in other['failure']
