@@ -16,7 +16,7 @@ std::vector<AgentId> neighboursOf(const World& world, const Perception& seen) {
   const Rotation rotation(seen.self.pose.heading);
   std::vector<Vector2> places;
   for (std::size_t i = 0; i < seen.neighbours.size(); ++i) {
-    places.push_back(seen.self.pose.position + rotation.outOfFrame(seen.neighbours[i].position));
+    places.emplace_back(seen.self.pose.position + rotation.outOfFrame(seen.neighbours[i].position));
   }
   std::vector<AgentId> ids;
   for (const Agent& agent : world.agents()) {
