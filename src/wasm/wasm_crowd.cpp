@@ -1,14 +1,12 @@
 #include "wasm/wasm_crowd.h"
 
-#include <algorithm>
+#include <optional>
 
 #include "learning/learner.h"
-#include "world/perception.h"
+#include "simulation/agent_mind.h"
 
 namespace crowd::wasm {
 namespace {
-
-constexpr double SAME_PLACE = 1e-6;  // [m]
 
 template <typename Number>
 val viewOf(const std::vector<Number>& numbers) {
@@ -122,41 +120,22 @@ val WasmCrowd::map() {
 }
 
 val WasmCrowd::mind(AgentId agent) {
-  Perceptions seen = episode_.episode().perceptions();
-  const auto is_other = [agent](const AgentPerception& self) { return self.agent != agent || self.arrived; };
-  seen.agents.erase(std::remove_if(seen.agents.begin(), seen.agents.end(), is_other), seen.agents.end());
-  RelativeActions actions;
-  learner_.learner().decide(seen, actions);
-  const auto values = learner_.learner().valuesOf(seen, actions, agent);
-  if (!values) return val::null();
-  const Perception perception(seen, 0);
+  const std::optional<AgentMind> known = mindOf(episode_.episode(), learner_.learner(), agent);
+  if (!known) return val::null();
   val mind = val::object();
   mind.set("agent", agent);
   mind.set("tick", tick());
-  mind.set("actions", arrayOf(values->moves, [&](const ValuedMove& valued) {
+  mind.set("actions", arrayOf(known->values.moves, [&](const ValuedMove& valued) {
              val action = val::object();
              action.set("direction", bearingOf(valued.move.direction));
-             action.set("speed", valued.move.wanted * perception.self.max_speed);
+             action.set("speed", valued.move.wanted * known->max_speed);
              action.set("value", valued.value);
              action.set("visits", valued.visits);
              return action;
            }));
-  mind.set("chosen", values->chosen);
-  mind.set("neighbours", arrayOf(neighboursOf(perception), [](AgentId id) { return val(id); }));
+  mind.set("chosen", known->values.chosen);
+  mind.set("neighbours", arrayOf(known->neighbours, [](AgentId id) { return val(id); }));
   return mind;
-}
-
-/// The agents that it perceives whole: perceptions have places, not ids.
-std::vector<AgentId> WasmCrowd::neighboursOf(const Perception& seen) {
-  const Rotation rotation(seen.self.pose.heading);
-  std::vector<AgentId> ids;
-  for (std::size_t i = 0; i < seen.neighbours.size(); ++i) {
-    const Vector2 place = seen.self.pose.position + rotation.outOfFrame(seen.neighbours[i].position);
-    for (const Agent& agent : world().agents()) {
-      if ((agent.pose.position - place).lpNorm<Eigen::Infinity>() < SAME_PLACE) ids.push_back(agent.id);
-    }
-  }
-  return ids;
 }
 
 AgentId WasmCrowd::addAgent(const val& position, const val& goal, double heading, double max_speed, double radius) {

@@ -52,7 +52,6 @@ class WasmCrowd {
  private:
   WasmCrowd(const library::Scenario& scenario, const library::QTable& table, std::uint64_t seed, std::uint64_t number);
   const World& world() { return episode_.episode().world(); }
-  std::vector<AgentId> neighboursOf(const Perception& seen);
 
   library::Learner learner_;
   library::Episode episode_;

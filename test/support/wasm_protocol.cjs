@@ -46,15 +46,14 @@ async function main() {
   const all = [answers];
   for (const command of JSON.parse(commands)) {
     answers = [];
-    if ('until' in command) {
+    if (command?.until !== undefined) {
       await until(({type, tick}) => type === 'frame' && tick >= command.until);
     } else {
       self.onmessage({data: command});
     }
     all.push(answers);
   }
-  console.log(JSON.stringify(all));
-  process.exit();
+  process.stdout.write(JSON.stringify(all), () => process.exit());  // a crowd may still be playing
 }
 
 main();
