@@ -64,11 +64,15 @@ set_source_files_properties(
 set_target_properties(${PROJECT_NAME}_core PROPERTIES UNITY_BUILD_BATCH_SIZE 44)
 # Scenarios are found by name in the installed package, otherwise in the source tree. SCENARIOS_IN_PREFIX is their folder, as seen
 # from one or two folders above that of the library.
+if(NOT SCENARIOS_IN_SOURCE)
+  set(SCENARIOS_IN_SOURCE ${REPOSITORY}/config/scenarios)
+endif()
 set_source_files_properties(${REPOSITORY}/src/scenario/reading/scenario_files.cpp PROPERTIES COMPILE_DEFINITIONS
-  "SCENARIOS_IN_PREFIX=\"${SCENARIOS_IN_PREFIX}\";SCENARIOS_IN_SOURCE=\"${REPOSITORY}/config/scenarios\""
+  "SCENARIOS_IN_PREFIX=\"${SCENARIOS_IN_PREFIX}\";SCENARIOS_IN_SOURCE=\"${SCENARIOS_IN_SOURCE}\""
 )
 # Function calls within the library are direct (-Bsymbolic-functions).
 target_link_libraries(${PROJECT_NAME}_core
   PUBLIC ${YAML_CPP_LIBRARIES} Threads::Threads  # for tests and programs, which include private headers
-  PRIVATE PNG::PNG ${RECAST_LIBRARY} ${DETOUR_LIBRARY} ${CMAKE_DL_LIBS} ${PROJECT_NAME}_warnings -Wl,-Bsymbolic-functions
+  PRIVATE PNG::PNG ${RECAST_LIBRARY} ${DETOUR_LIBRARY} ${CMAKE_DL_LIBS} ${PROJECT_NAME}_warnings
+    $<$<NOT:$<PLATFORM_ID:Emscripten>>:-Wl,-Bsymbolic-functions>
 )

@@ -46,8 +46,8 @@ def report(_, context):
     print('web_server:', context['message'], repr(context.get('exception', '')), file=sys.stderr, flush=True)
 
 
-async def serve(server, arguments, token, tasks):
-    """Serves until SIGINT or SIGTERM, or until one of the tasks ends."""
+async def serve(server, arguments, token, task):
+    """Serves until SIGINT or SIGTERM, or until the task of the back end ends."""
     loop = asyncio.get_running_loop()
     loop.set_exception_handler(report)
     ended = asyncio.Event()
@@ -55,10 +55,15 @@ async def serve(server, arguments, token, tasks):
         loop.add_signal_handler(number, ended.set)
     runner = web.AppRunner(server.application(), access_log=None)
     await runner.setup()
-    tasks = [asyncio.ensure_future(task) for task in [*tasks, ended.wait()]]
+    tasks = [asyncio.ensure_future(awaited) for awaited in (task, ended.wait())]
     try:
-        site = web.TCPSite(runner, arguments.host, arguments.port, shutdown_timeout=PATIENCE)
-        await site.start()
+        # A name of this machine may stand for several addresses, and a free port would be another one at each.
+        host = '127.0.0.1' if arguments.host == 'localhost' else arguments.host
+        site = web.TCPSite(runner, host, arguments.port, shutdown_timeout=PATIENCE)
+        try:
+            await site.start()
+        except OSError as error:
+            raise InputError(f'port {arguments.port} of {arguments.host}: {error.strerror or error}') from None
         number = runner.addresses[0][1]
         print(f'web_server: open {url_of(arguments.host, number, token)}', flush=True)
         done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -76,19 +81,19 @@ async def run(arguments):
     token = arguments.token
     if token is None and not is_loopback(arguments.host):
         token = make_token()
-    server = Server(arguments.page or find_page(), Access(token, arguments.allow_origin))
-    tasks = []
-    if arguments.ros:
-        from crowd_web.ros_server import add_ros  # needs ROS
-        source, tasks = await add_ros(server, arguments.recordings)
-    else:
+    if not arguments.ros:
         from crowd_web.python_source import PythonSource  # needs the C++ module
         source = PythonSource(str(find_scenario(arguments.scenario)), arguments.q_table, arguments.seed,
                               arguments.threads, arguments.recordings)
         await source.show_scene()
-        tasks = [source.run_forever()]
+    server = Server(arguments.page or find_page(), Access(token, arguments.allow_origin))
+    if arguments.ros:
+        from crowd_web.ros_server import add_ros  # needs ROS
+        source, task = await add_ros(server, arguments.recordings)
+    else:
+        task = source.run_forever()
     server.add('/ws', lambda client: PageSession(client, source))
-    await serve(server, arguments, token, tasks)
+    await serve(server, arguments, token, task)
 
 
 def main():
@@ -117,7 +122,4 @@ def main():
     for folder in (arguments.recordings, arguments.page):
         if folder is not None and not pathlib.Path(folder).is_dir():
             parser.error(f'{folder}: is not a folder')
-    try:
-        asyncio.run(run(arguments))
-    except OSError as error:
-        raise InputError(f'port {arguments.port} of {arguments.host}: {error.strerror or error}') from None
+    asyncio.run(run(arguments))

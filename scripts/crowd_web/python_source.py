@@ -8,11 +8,10 @@ import numpy
 import social_crowd
 from crowd_drawing.errors import InputError
 from crowd_web.page_commands import heading_towards
-from crowd_web.page_source import (IN_CONTACT, PLACES, KnownAgents, PageSource, bounds_of, corners_of, frame_of, map_of,
+from crowd_web.page_source import (IN_CONTACT, KnownAgents, PageSource, bounds_of, corners_of, frame_of, map_of,
                                    obstacles_of, walls_of)
 
 WALKING = 0  # status of an agent
-SAME_PLACE = 1e-6  # [m]
 LATEST = 0.5  # [s] by which ticks may be behind real time and still catch up
 
 
@@ -85,7 +84,8 @@ class PythonSource(PageSource):
         view = types.SimpleNamespace(
             tick=crowd.tick, time=crowd.time, tick_duration=crowd.tick_duration, is_over=crowd.is_over,
             robots=crowd.robots, obstacles=crowd.obstacles, arrived=crowd.arrived,
-            minds=[mind for mind in (mind_of(crowd, agent) for agent in agents) if mind])
+            minds=[dict(mind, agent=agent, tick=crowd.tick) for agent, mind in (
+                (agent, crowd.mind(agent)) for agent in agents) if mind])
         for name in ('ids', 'positions', 'headings', 'velocities', 'statuses', 'in_contact', 'goals', 'radii'):
             setattr(view, name, getattr(crowd, name).copy())
         return view
@@ -200,24 +200,3 @@ def packed(view):
     return frame_of(view.tick, view.time, view.ids, view.positions[:, 0], view.positions[:, 1], view.headings,
                     numpy.hypot(view.velocities[:, 0], view.velocities[:, 1]),
                     view.statuses + IN_CONTACT * view.in_contact)
-
-
-def mind_of(crowd, agent):
-    """Returns what an agent chooses from now; None if it does not decide."""
-    values = crowd.decision_values(agent)
-    if values is None:
-        return None
-    seen = crowd.perceptions()
-    at = int(numpy.flatnonzero(seen.ids == agent)[0])
-    first, count = int(seen.first_neighbours[at]), int(seen.neighbour_counts[at])
-    ahead, left = seen.neighbour_x[first:first + count], seen.neighbour_y[first:first + count]
-    x, y, heading = seen.poses[at]
-    cosine, sine = numpy.cos(heading), numpy.sin(heading)
-    places = numpy.column_stack([x + cosine * ahead - sine * left, y + sine * ahead + cosine * left])
-    distances = numpy.abs(crowd.positions[:, None] - places[None]).max(axis=2)
-    found = (distances < SAME_PLACE).any(axis=1)  # else it is an obstacle or a robot, or partly hidden
-    speed = float(crowd.max_speeds[crowd.ids == agent][0])
-    actions = [{'direction': direction, 'speed': round(share * speed, PLACES), 'value': value, 'visits': visits}
-               for direction, share, value, visits in values['actions']]
-    return {'agent': agent, 'tick': crowd.tick, 'actions': actions, 'chosen': values['chosen'],
-            'neighbours': crowd.ids[found].tolist()}

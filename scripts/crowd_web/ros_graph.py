@@ -2,8 +2,10 @@
 import asyncio
 import collections
 import concurrent.futures
+import http.client
 import io
 import itertools
+import xmlrpc.client
 
 import genpy
 import roslib.message
@@ -16,6 +18,7 @@ POLL_PERIOD = 1.0  # [s] between two looks at the graph, while somebody wants to
 DEPTH = 16  # messages of a topic that wait for the event loop; older ones are dropped
 BUFFER = 2**22  # [bytes] of a connection; with little ones rospy copies large messages many times
 CALLS = 32  # service calls at the same time
+NO_MASTER = (OSError, http.client.HTTPException, xmlrpc.client.Error, rosgraph.MasterException)
 SERVED_PACKAGES = ('social_crowd', 'std_srvs')  # of the types of services that clients may call
 
 
@@ -80,6 +83,7 @@ class RosGraph:
         self.master = rosgraph.Master(rospy.get_name())
         self.executor = concurrent.futures.ThreadPoolExecutor(CALLS)
         self.wanted = asyncio.Event()
+        self.looking = asyncio.Lock()
 
     async def run_forever(self):
         """Looks at the graph while somebody watches, until rospy ends."""
@@ -94,8 +98,9 @@ class RosGraph:
     async def refresh(self):
         """Asks the ROS master for topics and services."""
         try:
-            found = await self.loop.run_in_executor(self.executor, self.look)
-        except (OSError, rosgraph.MasterException):  # no master: it may come back
+            async with self.looking:  # connections to the master are not for several threads
+                found = await self.loop.run_in_executor(self.executor, self.look)
+        except NO_MASTER:  # it may come back
             return
         if found != (self.topics, self.services):
             self.topics, self.services = found
@@ -115,7 +120,7 @@ class RosGraph:
             try:
                 headers = rosservice.get_service_headers(name, self.master.lookupService(name))
                 self.service_types[name, nodes] = headers['type']
-            except (OSError, KeyError, rosgraph.MasterException, rosservice.ROSServiceException):
+            except (*NO_MASTER, KeyError, rosservice.ROSServiceException):
                 return ''
         return self.service_types[name, nodes]
 

@@ -7,9 +7,9 @@ from crowd_web.rosbridge import RosbridgeSession
 
 
 async def add_ros(server, recordings):
-    """Begins a node, and adds the protocols that need ROS. Returns the source of the page and tasks to be run."""
+    """Begins a node, and adds the protocols that need ROS. Returns the source of the page and what is to be run."""
     rospy.init_node('web_server', disable_signals=True)
     graph = RosGraph()
     server.add('/', lambda client: FoxgloveSession(client, graph), PROTOCOL)
     server.add('/rosbridge', lambda client: RosbridgeSession(client, graph))
-    return RosSource(graph, recordings), [graph.run_forever()]
+    return RosSource(graph, recordings), graph.run_forever()

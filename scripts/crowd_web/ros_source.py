@@ -8,6 +8,7 @@ from crowd_web.page_source import (IN_CONTACT, PLACES, KnownAgents, PageSource, 
                                    obstacles_of, walls_of)
 from crowd_web.ros_commands import RosCommands
 from nav_msgs.msg import OccupancyGrid
+from rosgraph.names import ns_join
 from sensor_msgs.msg import LaserScan
 from social_crowd.msg import ControllerStatus, DecisionValues, LearnerStatus, RobotStates, Scenario, Walls
 
@@ -157,7 +158,7 @@ class RosSource(RosCommands, PageSource):
             self.graph.stop_listening(self.scan_handles.pop(name))
             self.scans.pop(name, None)
         for name in set(robots) - set(self.scan_handles):
-            self.scan_handles[name] = self.graph.listen(f'{robots[name]}/scan',
+            self.scan_handles[name] = self.graph.listen(ns_join(robots[name], 'scan'),
                                                         lambda data, _, name=name: self.take_scan(name, data))
 
     def take_scan(self, name, data):

@@ -93,15 +93,17 @@ class Server:
     async def serve(client, session):
         """Talks to a client until one of both ends it."""
         arrived = asyncio.Queue(MOST_MESSAGES)
-        tasks = [asyncio.create_task(task) for task in (client.write(), take_all(client, session, arrived))]
+        writing, taking = map(asyncio.create_task, (client.write(), take_all(client, session, arrived)))
         try:
             async for message in client.socket:
                 await arrived.put(message.data)
+            if client.closing:
+                await asyncio.wait([writing])  # until the client has heard why
         finally:
             session.end()
-            for task in tasks:
-                task.cancel()
-            await asyncio.gather(*tasks, return_exceptions=True)
+            writing.cancel()
+            taking.cancel()
+            await asyncio.gather(writing, taking, return_exceptions=True)
 
     async def close_clients(self, _):
         for client in list(self.clients):

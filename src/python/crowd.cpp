@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "learning/learner.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/perception_arrays.h"
@@ -67,15 +66,9 @@ class Crowd {
     return result;
   }
 
-  /// What an agent would choose from now; None if it does not decide. The Q-table does not change.
-  py::object valuesOf(AgentId agent) {
-    Perceptions seen = episode_.episode().perceptions();
-    const auto is_other = [agent](const AgentPerception& entry) { return entry.agent != agent || entry.arrived; };
-    seen.agents.erase(std::remove_if(seen.agents.begin(), seen.agents.end(), is_other), seen.agents.end());
-    RelativeActions actions;
-    learner_.learner().decide(seen, actions);
-    const auto values = learner_.learner().valuesOf(seen, actions, agent);
-    return values ? py::object(toDict(*values)) : py::none();
+  py::object mind(AgentId agent) {
+    const auto mind = mindOf(episode_.episode(), learner_.learner(), agent);
+    return mind ? py::object(toDict(*mind)) : py::none();
   }
 
   library::Episode& episode() { return episode_; }
@@ -165,9 +158,10 @@ void bindCrowd(py::module_& module) {
           "map", [](Crowd& crowd) { return mapOf(crowd.episode().episode().scene()); },
           "width, height, resolution, origin (x, y, yaw) and cells (0 free, 100 occupied, 255 unknown), or None")
       .def_property_readonly("arrived", [](Crowd& crowd) { return arrivedIn(crowd.world()); })
-      .def("decision_values", &Crowd::valuesOf, py::arg("agent"),
-           "What an agent would choose from now: `actions` (direction [rad], fraction of the maximum speed, value, "
-           "visits) and the number of the `chosen` one. None if it does not decide.")
+      .def("mind", &Crowd::mind, py::arg("agent"),
+           "What an agent would choose from now: `actions` (direction relative to its heading [rad], speed [m/s], "
+           "value, visits), the number of the `chosen` one, and the ids of the `neighbours` that it perceives. None if "
+           "it does not decide.")
       .def(
           "add_wall",
           [](Crowd& crowd, std::array<double, 2> from, std::array<double, 2> to) {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "learning/decision_values.h"
 #include "scenario/scene.h"
+#include "simulation/agent_mind.h"
 #include "world/world.h"
 
 /// What pages show of a world, as new arrays and dicts.
@@ -58,14 +58,22 @@ inline std::size_t arrivedIn(const World& world) {
   return arrived;
 }
 
-inline py::dict toDict(const DecisionValues& values) {
+inline py::dict toDict(const AgentMind& mind) {
   py::list actions;
-  for (const ValuedMove& valued : values.moves) {
-    actions.append(py::make_tuple(bearingOf(valued.move.direction), valued.move.wanted, valued.value, valued.visits));
+  for (const ValuedMove& valued : mind.values.moves) {
+    py::dict action;
+    action["direction"] = bearingOf(valued.move.direction);
+    action["speed"] = valued.move.wanted * mind.max_speed;
+    action["value"] = valued.value;
+    action["visits"] = valued.visits;
+    actions.append(action);
   }
+  py::list neighbours;
+  for (const AgentId neighbour : mind.neighbours) neighbours.append(neighbour);
   py::dict fields;
   fields["actions"] = actions;
-  fields["chosen"] = values.chosen;
+  fields["chosen"] = mind.values.chosen;
+  fields["neighbours"] = neighbours;
   return fields;
 }
 

@@ -2,6 +2,8 @@
 
 #include <iostream>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "command_line.h"
 #include "common/files/files.h"
@@ -22,6 +24,7 @@
 #include "simulation/evaluation/robot_record.h"
 #include "simulation/robot_controller.h"
 #include "training/training_config.h"
+#include "web_server.h"
 
 namespace crowd {
 namespace {
@@ -34,6 +37,7 @@ struct Arguments {
   OutputNames output;
   std::vector<std::string> scenarios;
   EvaluationPlan plan;
+  unsigned web_port = 8080;
 };
 
 /// Replaces the model of the table's header by that of a configuration.
@@ -154,6 +158,18 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
   return is_stopped ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
+/// Does not return, unless by an exception.
+int showOne(const CLI::App& app, const Arguments& arguments) {
+  const std::set<std::string> used{"--web", "--web-port", "--q-table", "--seed", "--threads", "SCENARIO"};
+  for (const CLI::Option* const option : app.get_options()) {
+    if (option->count() == 0 || used.count(option->get_name()) > 0) continue;
+    throw InputError(option->get_name() + ": is not used with --web");
+  }
+  if (arguments.scenarios.size() != 1) throw InputError("--web: expected one SCENARIO");
+  showInBrowser(findScenario(arguments.scenarios[0]), findQTable(arguments.q_table), arguments.plan.seed,
+                arguments.plan.threads, arguments.web_port);
+}
+
 int runMain(int argc, char** argv) {
   CLI::App app("Runs scenarios with a Q-table (demo mode) and prints the metrics of the steering benchmark.",
                "evaluate");
@@ -208,12 +224,20 @@ int runMain(int argc, char** argv) {
       "score_robots reads");
   addRobotMetricOptions(app, arguments.plan.robot_metrics);
   app.add_option("--csv", arguments.output.csv, "CSV file for the metrics");
+  const CLI::Option* const web =
+      app.add_flag("--web",
+                   "show one scenario in a browser, until Ctrl-C (docs/web.md); with --q-table, --seed and --threads "
+                   "only");
+  app.add_option("--web-port", arguments.web_port, "of the server that shows it; 0: a free one")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
   app.add_option("SCENARIO", arguments.scenarios, "scenario files, or names of scenarios of the package")->required();
   app.footer(
       std::string(
           "example:\n"
           "  rosrun social_crowd evaluate --q-table human --episodes 100 --csv metrics.csv circle6 "
-          "place_corner\n\n"
+          "place_corner\n"
+          "  rosrun social_crowd evaluate --q-table human --web place_office\n\n"
           "success%: agents that arrived, of those that were to; contact%: whose bodies overlapped another one or a "
           "wall; collision%: that "
           "had "
@@ -232,6 +256,7 @@ int runMain(int argc, char** argv) {
       "Exit status: 0 success, 1 error in the input, 2 wrong usage, 130 interrupted.");
   return runTool(app, argc, argv, [&](Communicator& ranks) {
     if (ranks.size() > 1 && threads->count() == 0) arguments.plan.threads = 1;
+    if (web->count() > 0) return showOne(app, arguments);
     return evaluateAll(ranks, arguments);
   });
 }

@@ -22,7 +22,7 @@ CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParamet
       // A new subscriber gets the agents also during a pause.
       agents_(node.advertise<social_crowd::AgentStates>(
           names::AGENTS, QUEUE, [this](const ros::SingleSubscriberPublisher& /*new*/) { agents_published_.reset(); })),
-      poses_(node.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE)),
+      poses_(node.advertise<geometry_msgs::PoseArray>(names::AGENT_POSES, QUEUE)),
       scenario_(node.advertise<social_crowd::Scenario>(names::SCENARIO, QUEUE, LATCHED)),
       walls_(node.advertise<social_crowd::Walls>(names::WALLS, QUEUE, LATCHED)),
       results_(node.advertise<social_crowd::EpisodeResult>(names::EPISODE_RESULTS, QUEUE)) {

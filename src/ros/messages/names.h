@@ -8,6 +8,7 @@ namespace crowd::names {
 constexpr const char* PERCEPTIONS = "perceptions";  ///< Perceptions: crowd_controller -> learner
 constexpr const char* ACTIONS = "actions";          ///< RelativeActions: learner -> crowd_controller
 constexpr const char* AGENTS = "agents";            ///< AgentStates: crowd_controller -> visualisation
+constexpr const char* AGENT_POSES = "agent_poses";  ///< geometry_msgs/PoseArray: crowd_controller -> viewers, bridges
 constexpr const char* SCENARIO = "scenario";        ///< Scenario, latched: crowd_controller -> visualisation
 constexpr const char* WALLS = "walls";              ///< Walls, latched: crowd_controller -> visualisation
 constexpr const char* MAP = "map";                  ///< nav_msgs/OccupancyGrid, latched: crowd_controller -> RViz

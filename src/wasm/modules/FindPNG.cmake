@@ -1,0 +1,2 @@
+# Built by libraries.cmake.
+set(PNG_FOUND TRUE)

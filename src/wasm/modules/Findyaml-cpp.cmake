@@ -1,0 +1,2 @@
+# Built by libraries.cmake.
+set(yaml-cpp_FOUND TRUE)

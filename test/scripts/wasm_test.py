@@ -1,0 +1,157 @@
+"""The core as WebAssembly beside the Python module: the same trajectories, and the messages of its worker."""
+import base64
+import hashlib
+import json
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+import social_crowd
+
+SUPPORT = pathlib.Path(__file__).parent.parent / 'support'
+AGENT_TICKS = 4000  # of a scenario
+LEAST_TICKS, MOST_TICKS = 10, 200
+MAGIC = 0x57524331
+
+
+@pytest.fixture(scope='module')
+def web(request):
+    """The folder of what `scripts/web build` has made."""
+    build = request.config.getoption('--build')
+    if build is None or not (pathlib.Path(build) / 'web/page/social_crowd.js').exists():
+        pytest.skip('the page without a server is not built: scripts/web build')
+    if shutil.which('node') is None:
+        pytest.skip('node is not installed')
+    return pathlib.Path(build).resolve() / 'web'
+
+
+def run(script, file, given):
+    """Returns what a program for node prints, as JSON."""
+    done = subprocess.run(['node', SUPPORT / script, file, json.dumps(given)], stdout=subprocess.PIPE, check=True)
+    return json.loads(done.stdout)
+
+
+def table_of(scenario):
+    return 'human' if scenario.startswith('place_') else 'anticipation'
+
+
+def walk_of(scenario):
+    """Returns how far a scenario is walked: the fewer agents, the farther."""
+    agents = len(social_crowd.Crowd(scenario, table_of(scenario), seed=7).ids)
+    ticks = max(LEAST_TICKS, min(MOST_TICKS, AGENT_TICKS // max(1, agents)))
+    return {'scenario': scenario, 'table': table_of(scenario), 'seed': 7, 'ticks': ticks}
+
+
+def digests_of(walk):
+    """Returns the digest of all agents after each tick, as wasm_walk.mjs does."""
+    crowd = social_crowd.Crowd(walk['scenario'], walk['table'], seed=walk['seed'])
+    digests = []
+    for _ in range(walk['ticks'] + 1):
+        shown = b''.join(array.tobytes() for array in (crowd.ids, crowd.statuses, crowd.positions, crowd.headings))
+        digests.append(hashlib.sha256(shown).hexdigest()[:12])
+        if not crowd.step():
+            break
+    return digests
+
+
+def talk(web, *commands):
+    """Returns the answers of the worker to each command, the greeting first."""
+    return run('wasm_protocol.cjs', web / 'page/social_crowd.js', commands)
+
+
+def only(messages, kind):
+    """Returns the message of a type, of which there must be one."""
+    found = [message for message in messages if message['type'] == kind]
+    assert len(found) == 1, messages
+    return found[0]
+
+
+class ScenariosTest:
+    """All scenarios of the package."""
+
+    def test_trajectories_are_the_same(self, web):
+        walks = [walk_of(scenario) for scenario in social_crowd.Scenario.names()]
+        made = run('wasm_walk.mjs', web / 'module.js', walks)
+        assert made['names'] == [walk['scenario'] for walk in walks]
+        different = {}
+        for walk, result in zip(walks, made['walks']):
+            native = digests_of(walk)
+            if native != result['digests']:
+                same = [one == other for one, other in zip(native, result['digests'])]
+                different[walk['scenario']] = same.index(False) if False in same else len(same)
+        assert different == {}  # the first tick that differs, by scenario
+
+
+class WorkerTest:
+    """The messages of the page's protocol."""
+
+    def test_greeting(self, web):
+        hello, scene, *others = talk(web)[0]
+        assert hello['type'] == 'hello' and hello['protocol'] == 1 and hello['back_end'] == 'wasm'
+        assert hello['scenarios'] == social_crowd.Scenario.names() and 'add_wall' in hello['commands']
+        assert scene['type'] == 'scene' and scene['scenario'] == 'circle6' and len(scene['agents']) == 6
+        frame, status = only(others, 'frame'), only(others, 'status')
+        assert frame['magic'] == MAGIC and frame['count'] == 6 and frame['bytes'] == 24 + 6 * 21
+        assert not status['playing'] and status['walking'] == 6
+
+    def test_steps_walk_as_natively(self, web):
+        crowd = social_crowd.Crowd('circle6', seed=5)
+        for _ in range(4):
+            crowd.step()
+        *_, answer = talk(web, {'command': 'reset', 'seed': 5}, {'command': 'step', 'ticks': 4})
+        frame = [message for message in answer if message['type'] == 'frame'][-1]
+        assert frame['tick'] == 4 and frame['time'] == crowd.time
+        assert frame['x'] == pytest.approx(crowd.positions[0, 0], abs=1e-6)
+
+    def test_it_plays_until_the_episode_is_over(self, web):
+        *_, played, again = talk(web, {'command': 'speed', 'factor': 0}, {'command': 'play'}, {'until': 40},
+                                 {'command': 'pause'})
+        assert [message['tick'] for message in played if message['type'] == 'frame'][-1] >= 40
+        assert not only(again, 'status')['playing']
+
+    def test_changes_of_the_world(self, web):
+        commands = [{'command': 'add_agent', 'position': [9, 9], 'goal': [-9, 9]},
+                    {'command': 'set_goal', 'agent': 6, 'goal': [-8, 8]}, {'command': 'remove_agent', 'agent': 0},
+                    {'command': 'add_obstacle', 'position': [7, 7], 'radius': 0.3},
+                    {'command': 'add_wall', 'from': [-9, -9], 'to': [9, -9]}, {'command': 'remove_wall', 'wall': 0},
+                    {'command': 'remove_obstacle', 'obstacle': 0}]
+        _, added, sent, removed, obstacle, wall, no_wall, no_obstacle = talk(web, *commands)
+        assert only(added, 'agents')['agents'] == [{'id': 6, 'radius': 0.25, 'goal': [-9, 9]}]
+        assert only(added, 'frame')['count'] == 7
+        assert only(sent, 'agents')['agents'][0]['goal'] == [-8, 8]
+        assert only(removed, 'status')['walking'] == 6
+        assert only(obstacle, 'scene')['obstacles'] == [{'id': 0, 'position': [7, 7], 'radius': 0.3}]
+        assert only(wall, 'scene')['walls'] == [{'id': 0, 'from': [-9, -9], 'to': [9, -9]}]
+        assert only(no_wall, 'scene')['walls'] == [] and only(no_obstacle, 'scene')['obstacles'] == []
+
+    def test_the_mind_of_an_agent(self, web):
+        mind = only(talk(web, {'command': 'select', 'agent': 2})[-1], 'mind')
+        assert mind['agent'] == 2 and set(mind['neighbours']) <= {0, 1, 3, 4, 5}
+        assert mind['actions'][mind['chosen']]['value'] == max(action['value'] for action in mind['actions'])
+
+    def test_a_place_with_a_map(self, web):
+        scene = only(talk(web, {'command': 'scenario', 'name': 'place_office'})[-1], 'scene')
+        grid = scene['map']
+        assert len(base64.b64decode(grid['cells'])) == grid['width'] * grid['height'] and scene['walls']
+
+    def test_refused_commands_change_nothing(self, web):
+        refused = [
+            ({'command': 'fly'}, "unknown command 'fly'"),
+            ({'command': 'toString'}, "unknown command 'toString'"),
+            ({'command': 'play', 'at': 1}, "unknown key 'at'"),
+            ({'command': 'speed'}, 'factor'),
+            ({'command': 'speed', 'factor': 'fast'}, 'factor'),
+            ({'command': 'add_wall', 'from': [0, 0], 'to': [1, None]}, 'to'),
+            ({'command': 'scenario', 'name': 'nowhere'}, "no scenario 'nowhere'"),
+            ({'command': 'remove_agent', 'agent': 77}, '77'),
+            ({'command': 'add_agent', 'position': [4, 0], 'goal': [2, 2], 'radius': 1e9}, 'radius'),
+            ({'command': 'add_agent', 'position': [4, 0], 'goal': [2, 2]}, 'overlap'),
+            ({}, 'unknown command'),
+            (None, 'unknown command'),
+        ]
+        step = {'command': 'step', 'ticks': 3}
+        _, *answers, last = talk(web, *[command for command, _ in refused], step)
+        for (_, problem), answer in zip(refused, answers):
+            assert len(answer) == 1 and problem in answer[0]['message'] and answer[0]['type'] == 'error'
+        assert last == talk(web, step)[-1]

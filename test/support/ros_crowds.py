@@ -1,0 +1,35 @@
+"""A ROS master of a test, on a free port, and the nodes of a crowd."""
+import rosgraph
+from crowd_launching.program import free_port
+from programs import ANTICIPATION_TABLE, CIRCLE6, wait_for
+from roslib.packages import find_node
+
+
+class Ros:
+    """A ROS master of its own, and a crowd."""
+
+    def __init__(self, runner):
+        self.runner = runner
+        uri = f'http://127.0.0.1:{free_port()}'
+        self.environment = {'ROS_MASTER_URI': uri, 'ROS_HOSTNAME': '127.0.0.1', 'ROS_NAMESPACE': '',
+                            'ROS_HOME': runner.path('ros'), 'ROS_LOG_DIR': runner.path('ros/log')}
+        self.master = rosgraph.Master('/web_server_test', uri)
+        runner.start('rosmaster', ['rosmaster', '--core', '-p', uri.rsplit(':', 1)[1]], self.environment)
+        wait_for(self.master.is_online, 'the ROS master')
+
+    def start_node(self, kind, **parameters):
+        words = [f'_{name}:={value}' for name, value in parameters.items()]
+        return self.runner.start(kind, [find_node('social_crowd', kind)[0], *words], self.environment)
+
+    def start_crowd(self, scenario=CIRCLE6, **parameters):
+        """Starts a crowd that walks in real time."""
+        self.start_node('crowd_controller', scenario=scenario, **parameters)
+        self.start_node('learner', q_table=ANTICIPATION_TABLE)
+        wait_for(lambda: '/crowd_controller/pause' in self.services(), 'the crowd controller')
+
+    def services(self):
+        return {name for name, _ in self.master.getSystemState()[2]}
+
+    def topics_of(self, node):
+        """Returns the topics to which a node has subscribed."""
+        return {topic for topic, nodes in self.master.getSystemState()[1] if node in nodes}
