@@ -8,9 +8,10 @@ import shutil
 import subprocess
 
 import pytest
+from crowd_launching.program import free_port
 from programs import PATIENCE, in_package, wait_for
-from ros_crowds import Ros
-from web_clients import BAD_COMMANDS, Page, memory_of, run, start_server
+from ros_crowds import Ros, environment_of
+from web_clients import BAD_COMMANDS, Page, memory_of, run, start_server, wait_for_url
 from web_nonsense import send_nonsense
 
 FRAMES = int(os.environ.get('SOCIAL_CROWD_FUZZ_FRAMES', 3000))  # of nonsense
@@ -138,6 +139,25 @@ class RosBackEndTest:
         paused, spawned, misfit, other = seen['calls']
         assert paused['success'] is True and spawned['success'] is True and spawned['agent'] == 5
         assert 'position' in misfit['failure'] and 'no service' in other['failure']
+
+
+class LaunchTest:
+    """web.launch"""
+
+    def test_it_shows_a_crowd(self, runner):
+        if not os.path.exists(in_package('web', 'dist', 'index.html')):
+            pytest.skip('there is no page')
+        port = free_port()
+        server = wait_for_url(runner.start('roslaunch', [
+            'roslaunch', '-p', str(port), 'social_crowd', 'web.launch', 'scenario:=circle12', 'port:=0'],
+            environment_of(runner, port)))
+
+        async def test():
+            async with Page(server) as page:
+                assert (await page.next('hello'))['back_end'] == 'ros'
+                assert (await page.next('scene'))['scenario'] == 'circle12'
+                await page.frame(lambda frame: frame.tick > 2)
+        run(test())
 
 
 class FuzzTest:

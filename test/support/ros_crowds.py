@@ -5,16 +5,22 @@ from programs import ANTICIPATION_TABLE, CIRCLE6, wait_for
 from roslib.packages import find_node
 
 
+def environment_of(runner, port):
+    """Returns the environment of nodes with a ROS master at a port."""
+    return {'ROS_MASTER_URI': f'http://127.0.0.1:{port}', 'ROS_HOSTNAME': '127.0.0.1', 'ROS_NAMESPACE': '',
+            'ROS_HOME': runner.path('ros'), 'ROS_LOG_DIR': runner.path('ros/log')}
+
+
 class Ros:
     """A ROS master of its own, and a crowd."""
 
     def __init__(self, runner):
         self.runner = runner
-        uri = f'http://127.0.0.1:{free_port()}'
-        self.environment = {'ROS_MASTER_URI': uri, 'ROS_HOSTNAME': '127.0.0.1', 'ROS_NAMESPACE': '',
-                            'ROS_HOME': runner.path('ros'), 'ROS_LOG_DIR': runner.path('ros/log')}
+        port = free_port()
+        self.environment = environment_of(runner, port)
+        uri = self.environment['ROS_MASTER_URI']
         self.master = rosgraph.Master('/web_server_test', uri)
-        runner.start('rosmaster', ['rosmaster', '--core', '-p', uri.rsplit(':', 1)[1]], self.environment)
+        runner.start('rosmaster', ['rosmaster', '--core', '-p', str(port)], self.environment)
         wait_for(self.master.is_online, 'the ROS master')
 
     def start_node(self, kind, **parameters):

@@ -58,6 +58,6 @@ client.on('serviceCallResponse', ({ serviceId, callId, data }) => {
 client.on('serviceCallFailure', ({ callId, message }) => {
   seen.calls.push({ callId, failure: message });
   // Numbers of 64 bits are BigInt.
-  console.log(JSON.stringify(seen, (_, value) => (typeof value === 'bigint' ? Number(value) : value)));
-  process.exit(0);
+  const text = JSON.stringify(seen, (_, value) => (typeof value === 'bigint' ? Number(value) : value));
+  process.stdout.write(text, () => process.exit(0));
 });
