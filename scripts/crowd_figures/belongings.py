@@ -52,6 +52,11 @@ def stick():
     return limb([(0.22, -0.23, 0.96), (0.28, -0.23, 0.0)], (0.028, 0.022), 4)
 
 
+def stick_in_hand():
+    """A walking stick below a hand at the origin."""
+    return limb([(0.02, 0.0, -0.07), (0.02, 0.0, -0.86)], (0.028, 0.022), 4)
+
+
 def shapes():
     """All of them, by the name of their file."""
     return {**sitting(), 'wheelchair': wheelchair(), 'trolley': trolley(), 'stick': stick()}
