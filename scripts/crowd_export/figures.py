@@ -8,7 +8,8 @@ from scipy.spatial.transform import Rotation
 from .gltf import keyframes, smoothed
 from .people import COLOURS, BELONGINGS, colours_of, floor, local, local_quaternions, person_quaternions
 
-MOVE, BEND, ARM_BEND = 0.002, 0.0015, 0.006  # bounds of keyframes: [m]; legs, and others: half an angle [rad]
+# Bounds of keyframes: [m]; of legs that stand, and of others, half an angle [rad].
+MOVE, BEND, FREE_BEND = 0.002, 0.002, 0.01
 LEGS = [f'{side}_{bone}' for side in ('left', 'right') for bone in ('thigh', 'shank', 'foot')]
 
 
@@ -111,12 +112,14 @@ class Figures:
         """Adds the keyframes of a walk."""
         rotations = {name: local_quaternions(values) for name, values in person.rotations.items() if name != 'place'}
         places = numpy.column_stack([person.places, numpy.zeros(len(person.times))])
-        legs = [(node, 'translation', floor(places), MOVE), (node, 'rotation', person_quaternions(person.headings), BEND),
-                (joints['hips'], 'translation', local(person.rotations['place']), MOVE)]
-        legs += [(joints[name], 'rotation', rotations[name], BEND) for name in ('hips', *LEGS) if name in rotations]
-        others = [(joints[name], 'rotation', values, ARM_BEND) for name, values in rotations.items()
-                  if name not in ('hips', *LEGS)]
-        for channels in (legs, others):
+        body = [(node, 'translation', floor(places), MOVE), (node, 'rotation', person_quaternions(person.headings), BEND),
+                (joints['hips'], 'translation', local(person.rotations['place']), MOVE),
+                *((joints['hips'], 'rotation', rotations[name], BEND) for name in rotations if name == 'hips')]
+        legs = [[(joints[name], 'rotation', rotations[name], numpy.where(foot.stands, BEND, FREE_BEND))
+                 for name in LEGS if name.startswith(side)] for side, foot in zip(('left', 'right'), person.feet)]
+        others = [(joints[name], 'rotation', values, FREE_BEND) for name, values in rotations.items()
+                  if name not in ('hips', *(LEGS if legs else ()))]
+        for channels in (body, *legs, others):
             channels = [channel for channel in channels if numpy.ptp(channel[2], axis=0).max() > 1e-6]
             if channels:
                 self.animate(person, channels)

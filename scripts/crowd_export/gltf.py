@@ -129,12 +129,12 @@ def smoothed(shape):
 
 def keyframes(channels):
     """Returns which frames to keep so that values between them, interpolated linearly, are within bounds. `channels`:
-    pairs of values (one row for each frame) and bound. Neighbouring parts of equal length are joined where they can."""
+    pairs of values and bound (one row, or number, for each frame). Neighbouring parts of equal length are joined where they can."""
     count = len(channels[0][0])
     levels = int(numpy.ceil(numpy.log2(max(2, count - 1))))
     full = 2 ** levels + 1
-    channels = [(numpy.concatenate([values, numpy.repeat(values[-1:], full - count, axis=0)]), bound)
-                for values, bound in channels]
+    frames = numpy.minimum(numpy.arange(full), count - 1)
+    channels = [(values[frames], numpy.broadcast_to(bound, count)[frames]) for values, bound in channels]
     kept, whole = numpy.ones(full, bool), numpy.ones(full - 1, bool)
     for level in range(1, levels + 1):
         length = 2 ** level
@@ -145,7 +145,7 @@ def keyframes(channels):
             share = (numpy.arange(1, length) / length)[:, None]
             begin, end = values[parts * length][:, None], values[(parts + 1) * length][:, None]
             away = numpy.linalg.norm(begin + share * (end - begin) - values[frames], axis=2)
-            whole[parts] = (away <= bound).all(axis=1)
+            whole[parts] = (away <= bound[frames]).all(axis=1)
         kept[numpy.flatnonzero(whole) * length + length // 2] = False
         if not whole.any():
             break

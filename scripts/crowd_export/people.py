@@ -115,4 +115,3 @@ def continuous(quaternions):
     """Changes signs so that neighbours are near each other."""
     turns = numpy.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0
     return quaternions * numpy.where(numpy.r_[False, numpy.cumsum(turns) % 2 == 1], -1, 1)[:, None]
-

@@ -17,7 +17,7 @@ class Scenery:
 
     def __init__(self, document, times, wall_height):
         self.document, self.times, self.wall_height = document, times, wall_height
-        self.shared = document.accessor(times.astype('float32'), None, True) if len(times) > 1 else None
+        self.shared = None  # accessor of the times
 
     def add(self, scene, people, start):
         """Adds the surroundings of a Scene; `start`: time of the first frame [s]."""
@@ -55,11 +55,14 @@ class Scenery:
         """Adds a body that moves along places, one for each frame."""
         places = floor(numpy.column_stack([ways, numpy.zeros(len(ways))])).astype('float32')
         node = self.document.node(name, mesh=self.mesh(name, shape, colour), translation=places[0].tolist())
-        if self.shared is not None and numpy.ptp(places, axis=0).max() > 0:
-            self.document.animate(node, 'translation', self.shared, places)
-        if headings is not None and self.shared is not None:
-            quaternions = person_quaternions(headings - numpy.pi / 2)
-            self.document.animate(node, 'rotation', self.shared, quaternions.astype('float32'))
+        tracks = {'translation': places}
+        if headings is not None:
+            tracks['rotation'] = person_quaternions(headings - numpy.pi / 2).astype('float32')
+        for path, values in tracks.items():
+            if numpy.ptp(values, axis=0).max() > 0:
+                if self.shared is None:
+                    self.shared = self.document.accessor(self.times.astype('float32'), None, True)
+                self.document.animate(node, path, self.shared, values)
 
     def gate(self, name, wall, opened):
         """Adds a gate, which is not there while it is open."""
