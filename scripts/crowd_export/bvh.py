@@ -46,9 +46,9 @@ def order_of(skeleton):
 
 def columns_of(person):
     """Returns the columns of all frames: place of the hips, and rotations [degrees]."""
-    turns = Rotation.from_quat(person_quaternions(person.headings))
-    places = floor(numpy.column_stack([person.places, numpy.zeros(len(person.times))]))
-    columns = [places + turns.apply(local(person.rotations['place'] * person.scale))]
+    turns = Rotation.from_quat(person_quaternions(person.trunk.headings))
+    places = floor(numpy.column_stack([person.places(), numpy.zeros(len(person.times))]))
+    columns = [places + turns.apply(local(person.trunk.hips * person.scale))]
     for joint in order_of(person.skeleton):
         rotation = Rotation.identity(len(person.times))
         if joint.name in person.rotations:

@@ -5,12 +5,12 @@ from crowd_figures.bodies import BUILDS, parts_of, weights_of
 from crowd_figures.skeleton import rest_places
 from scipy.spatial.transform import Rotation
 
-from .gltf import keyframes, smoothed
+from .gltf import smoothed
+from .keys import keyframes
 from .people import COLOURS, BELONGINGS, colours_of, floor, local, local_quaternions, person_quaternions
 
-# Bounds of keyframes: [m]; of legs that stand, and of others, half an angle [rad].
-MOVE, BEND, FREE_BEND = 0.002, 0.002, 0.01
-LEGS = [f'{side}_{bone}' for side in ('left', 'right') for bone in ('thigh', 'shank', 'foot')]
+BEND, FREE_BEND = 0.002, 0.02  # bounds of keyframes: parts of quaternions of legs that stand, and of others
+LEG = 'thigh', 'shank', 'foot'
 
 
 class Figures:
@@ -27,7 +27,7 @@ class Figures:
             'person': person.number, 'figure': person.figure, 'recorded': person.recorded})
         joints = {}
         for joint in person.skeleton:
-            place = person.rotations['place'][0] if joint.parent is None else joint.offset
+            place = person.trunk.hips[0] if joint.parent is None else joint.offset
             rotation = {}
             if joint.name in person.rotations:
                 rotation = {'rotation': local_quaternions(person.rotations[joint.name][:1])[0].tolist()}
@@ -43,8 +43,8 @@ class Figures:
     @staticmethod
     def begin(person):
         """Returns the properties of the node of a person at its first frame."""
-        return {'translation': floor([*person.places[0], 0.0]).tolist(), 'scale': [person.scale] * 3,
-                'rotation': person_quaternions(person.headings[:1])[0].tolist()}
+        return {'translation': floor([*person.places()[0], 0.0]).tolist(), 'scale': [person.scale] * 3,
+                'rotation': person_quaternions(person.trunk.headings[:1])[0].tolist()}
 
     def bind(self, person):
         """Returns the accessor of the inverse bind matrices of a skeleton."""
@@ -110,28 +110,33 @@ class Figures:
 
     def move(self, person, node, joints):
         """Adds the keyframes of a walk."""
-        rotations = {name: local_quaternions(values) for name, values in person.rotations.items() if name != 'place'}
-        places = numpy.column_stack([person.places, numpy.zeros(len(person.times))])
-        body = [(node, 'translation', floor(places), MOVE), (node, 'rotation', person_quaternions(person.headings), BEND),
-                (joints['hips'], 'translation', local(person.rotations['place']), MOVE),
-                *((joints['hips'], 'rotation', rotations[name], BEND) for name in rotations if name == 'hips')]
-        legs = [[(joints[name], 'rotation', rotations[name], numpy.where(foot.stands, BEND, FREE_BEND))
-                 for name in LEGS if name.startswith(side)] for side, foot in zip(('left', 'right'), person.feet)]
-        others = [(joints[name], 'rotation', values, FREE_BEND) for name, values in rotations.items()
-                  if name not in ('hips', *(LEGS if legs else ()))]
-        for channels in (body, *legs, others):
-            channels = [channel for channel in channels if numpy.ptp(channel[2], axis=0).max() > 1e-6]
-            if channels:
-                self.animate(person, channels)
+        trunk, rotations = person.trunk, {name: local_quaternions(turn) for name, turn in person.rotations.items()}
+        channels = [(node, 'translation', floor(numpy.column_stack([person.places(), 0 * person.times]))),
+                    (node, 'rotation', person_quaternions(trunk.headings)),
+                    (joints['hips'], 'translation', local(trunk.hips))]
+        channels += [(joints['hips'], 'rotation', rotations.pop('hips'))] if 'hips' in rotations else []
+        self.animate(person.times, trunk.keys, channels)
+        for side, foot in zip(('left', 'right'), person.feet):
+            bound = numpy.where(foot.stands, BEND, FREE_BEND)[:, None]
+            self.reduce(person.times, {joints[f'{side}_{bone}']: rotations.pop(f'{side}_{bone}') for bone in LEG}, bound)
+        self.reduce(person.times, {joints[name]: values for name, values in rotations.items()}, FREE_BEND)
 
-    def animate(self, person, channels):
-        """Adds channels (node, path, values, bound) that share the times of their keyframes."""
-        kept = keyframes([(values, bound) for *_, values, bound in channels])
-        times = self.document.accessor(person.times[kept].astype('float32'), None, True)
-        for node, path, values, _ in channels:
-            values = values[kept]
-            self.document.animate(node, path, times, values.astype('float32') if path == 'translation' else
-                                  numpy.round(values * 32767).astype(numpy.int16))
+    def reduce(self, times, rotations, bound):
+        """Adds rotations by joint with common keyframes, as few as the bound permits."""
+        if rotations:
+            kept = keyframes(numpy.hstack(list(rotations.values())), bound)
+            self.animate(times, kept, [(joint, 'rotation', values) for joint, values in rotations.items()])
+
+    def animate(self, times, kept, channels):
+        """Adds keyframes of channels (node, path, values) that move; the others have one in their nodes."""
+        accessor = None
+        for node, path, values in channels:
+            if numpy.ptp(values, axis=0).max() > 1e-6:
+                if accessor is None:
+                    accessor = self.document.accessor(times[kept].astype('float32'), None, True)
+                values = values[kept]
+                self.document.animate(node, path, accessor, values.astype('float32') if path == 'translation' else
+                                      numpy.round(values * 32767).astype(numpy.int16))
 
     def show(self, person, node):
         """Lets a person appear and disappear."""

@@ -2,11 +2,12 @@
 import typing
 
 import numpy
-from crowd_figures.skeleton import ANKLE, HEEL, SHANK, THIGH, TOE, reach, rest_places, turned, world
+from crowd_figures.belongings import SEAT
+from crowd_figures.skeleton import ANKLE, HEEL, SHANK, THIGH, TOE, reach, rest_places, turned
 from scipy.ndimage import gaussian_filter1d, minimum_filter1d, uniform_filter1d
-from scipy.spatial.transform import Rotation
 
 from .footsteps import Planner, SIDES
+from .keys import keyframes
 
 HEEL_STRIKE, PUSH_OFF = 0.3, 0.65  # pitch of the foot as it lands, toes up, and as it leaves the floor, heel up [rad]
 LANDING, ROLLING = 0.15, 0.5  # shares of the stance: until the foot is flat, and from which on its heel rises
@@ -18,6 +19,7 @@ HIP_TURN, CHEST_TURN = 0.14, 0.3  # with each metre that a foot is ahead of the 
 ARM_SWING, ELBOW_SWING = 0.75, 0.5  # [rad/m]
 ARM_AWAY, ELBOW = 0.09, 0.25  # arm from the trunk, bend of the elbow [rad]
 LEAN = 0.03  # of the trunk with each m/s [rad]
+MOVE, BEND = 0.003, 0.01  # bounds of the key frames of the trunk [m], [rad]
 
 
 class Foot(typing.NamedTuple):
@@ -26,12 +28,6 @@ class Foot(typing.NamedTuple):
     heading: numpy.ndarray  # [rad]
     pitch: numpy.ndarray  # [rad], toes up above 0
     stands: numpy.ndarray  # whether it bears weight
-
-
-class Walk(typing.NamedTuple):
-    """A person who walks."""
-    rotations: dict  # local rotations by joint, and the 'place' of the hips in the frame of the person
-    feet: list  # left, right
 
 
 def smooth(share):
@@ -96,35 +92,58 @@ def hips_of(body, feet, pelvis, skeleton):
     return places
 
 
+class Trunk(typing.NamedTuple):
+    """What moves the legs: one row for each frame, linear between the key frames."""
+    keys: numpy.ndarray  # frames
+    places: numpy.ndarray  # x, y on the floor [m]
+    headings: numpy.ndarray  # [rad]
+    hips: numpy.ndarray  # place in the frame of the person [m]
+    pelvis: numpy.ndarray  # rotation of the hips about z [rad]
+
+
+def trunk_of(body, feet, skeleton, ahead):
+    """Returns the Trunk over the feet, with few key frames: the legs are bent for it, so that feet stay in place."""
+    turns, pelvis = turned('z', body.headings), -HIP_TURN * ahead
+    hips = hips_of(body, feet, turned('z', body.headings + pelvis), skeleton)
+    hips = turns.inv().apply(hips - numpy.column_stack([body.places, numpy.zeros(len(pelvis))]))
+    exact = numpy.column_stack([body.places, body.headings, hips, pelvis])
+    ends = body.shown.start, body.shown.stop - 1
+    keys = keyframes(exact[body.shown], [MOVE, MOVE, BEND, MOVE, MOVE, MOVE, BEND]) + ends[0]
+    near = numpy.column_stack([numpy.interp(numpy.arange(ends[0], ends[1] + 1), keys, column[keys])
+                               for column in exact.T])
+    return Trunk(keys - ends[0], near[:, :2], near[:, 2], near[:, 3:6], near[:, 6])
+
+
 def walk(body, skeleton, scale, manner):
-    """Returns the Walk of a Body; `manner`: how far the arms swing, 1 is usual."""
+    """Returns the Trunk, rotations by joint, and the feet at the shown frames of a Body; `manner`: how far the arms
+    swing, 1 is usual."""
     planner = Planner(body, scale)
     steps = planner.steps()
     feet = [foot_of(foot, planner, steps) for foot in range(len(SIDES))]
-    turns = turned('z', body.headings)
-    ways = [turns.inv().apply(foot.ankle - numpy.column_stack([body.places, numpy.zeros(len(body.times))]))
-            for foot in feet]
-    ahead = gaussian_filter1d(ways[0][:, 0] - ways[1][:, 0], 1.5)  # of the left foot before the right one
-    pelvis = turned('z', -HIP_TURN * ahead)
-    hips = hips_of(body, feet, turns * pelvis, skeleton)
+    way = numpy.column_stack([numpy.cos(body.headings), numpy.sin(body.headings), numpy.zeros(len(body.times))])
+    ahead = gaussian_filter1d(numpy.sum((feet[0].ankle - feet[1].ankle) * way, axis=1), 1.5)  # the left foot
+    trunk = trunk_of(body, feet, skeleton, ahead)
     speed = gaussian_filter1d(numpy.linalg.norm(numpy.gradient(body.places, axis=0), axis=1), 6.0) / (
         body.times[1] - body.times[0])
-    rotations = {'place': turns.inv().apply(hips - numpy.column_stack([body.places, numpy.zeros(len(speed))])),
-                 'hips': pelvis, 'spine': turned('y', LEAN * speed),
+    ahead, speed, feet = ahead[body.shown], speed[body.shown], [
+        Foot(*(column[body.shown] for column in foot)) for foot in feet]
+    rotations = {'hips': turned('z', trunk.pelvis), 'spine': turned('y', LEAN * speed),
                  'chest': turned('z', (HIP_TURN + CHEST_TURN) * ahead), 'head': turned('z', -CHEST_TURN * ahead)}
+    turns = turned('z', trunk.headings + trunk.pelvis)
+    hips = turned('z', trunk.headings).apply(trunk.hips) + numpy.column_stack([trunk.places, 0 * speed])
     for side, sign, foot in zip(('left', 'right'), SIDES, feet):
         swing = -sign * ahead * manner  # of the arm, ahead above 0
-        rotations[f'{side}_upper_arm'] = turned('y', 0.06 - ARM_SWING * swing) * turned('x', sign * ARM_AWAY +
-                                                                                         0 * swing)
+        rotations[f'{side}_upper_arm'] = turned('y', 0.06 - ARM_SWING * swing) * turned('x', numpy.full(
+            len(swing), sign * ARM_AWAY))
         rotations[f'{side}_forearm'] = turned('y', -ELBOW - ELBOW_SWING * (swing + 0.35 * numpy.abs(ahead)))
-        rotations.update(leg_of(side, foot, hips, turns * pelvis, body, skeleton))
-    return Walk(rotations, feet)
+        rotations.update(leg_of(side, foot, hips, turns, trunk.headings, skeleton))
+    return trunk, rotations, feet
 
 
-def leg_of(side, foot, hips, pelvis, body, skeleton):
+def leg_of(side, foot, hips, pelvis, headings, skeleton):
     """Returns the rotations of thigh, knee and foot. The knee points between the hips' direction and the foot's."""
     offset = next(joint.offset for joint in skeleton if joint.name == f'{side}_thigh')
-    middle = 0.5 * (foot.heading + body.headings)
+    middle = 0.5 * (foot.heading + headings)
     ahead = numpy.column_stack([numpy.cos(middle), numpy.sin(middle), 0 * middle])
     thigh, knee = reach(hips + pelvis.apply(offset), foot.ankle, ahead)
     shank = turned('y', knee)
@@ -133,8 +152,12 @@ def leg_of(side, foot, hips, pelvis, body, skeleton):
             f'{side}_foot': (thigh * shank).inv() * world}
 
 
-def world_of(person):
-    """Returns place [m] and rotation of each joint of a Person in the world."""
-    places = numpy.column_stack([person.places, numpy.zeros(len(person.times))]) / person.scale
-    found = world(person.skeleton, places, turned('z', person.headings), person.rotations)
-    return {name: (person.scale * place, turn) for name, (place, turn) in found.items()}
+def sit(body):
+    """Returns what walk() does, of a person in a wheelchair: no feet."""
+    count = body.shown.stop - body.shown.start
+    exact = numpy.column_stack([body.places, body.headings])[body.shown]
+    keys = keyframes(exact, [MOVE, MOVE, BEND])
+    trunk = Trunk(keys, exact[:, :2], exact[:, 2], numpy.tile([-0.02, 0.0, SEAT + 0.03], (count, 1)), numpy.zeros(count))
+    bends = {'thigh': -1.5, 'shank': 1.3, 'foot': 0.2, 'upper_arm': 0.25, 'forearm': -1.0}
+    return trunk, {f'{side}_{joint}': turned('y', numpy.full(count, bend)) for joint, bend in bends.items()
+                   for side in ('left', 'right')}, []

@@ -125,28 +125,3 @@ def smoothed(shape):
     rows, indices = numpy.unique(numpy.round(numpy.hstack([corners, normals]), 4), axis=0, return_inverse=True)
     units = rows[:, 3:] / numpy.linalg.norm(rows[:, 3:], axis=1)[:, None]
     return rows[:, :3], units, indices.ravel()
-
-
-def keyframes(channels):
-    """Returns which frames to keep so that values between them, interpolated linearly, are within bounds. `channels`:
-    pairs of values and bound (one row, or number, for each frame). Neighbouring parts of equal length are joined where they can."""
-    count = len(channels[0][0])
-    levels = int(numpy.ceil(numpy.log2(max(2, count - 1))))
-    full = 2 ** levels + 1
-    frames = numpy.minimum(numpy.arange(full), count - 1)
-    channels = [(values[frames], numpy.broadcast_to(bound, count)[frames]) for values, bound in channels]
-    kept, whole = numpy.ones(full, bool), numpy.ones(full - 1, bool)
-    for level in range(1, levels + 1):
-        length = 2 ** level
-        whole = whole.reshape(-1, 2).all(axis=1)
-        for values, bound in channels:
-            parts = numpy.flatnonzero(whole)
-            frames = parts[:, None] * length + numpy.arange(1, length)
-            share = (numpy.arange(1, length) / length)[:, None]
-            begin, end = values[parts * length][:, None], values[(parts + 1) * length][:, None]
-            away = numpy.linalg.norm(begin + share * (end - begin) - values[frames], axis=2)
-            whole[parts] = (away <= bound[frames]).all(axis=1)
-        kept[numpy.flatnonzero(whole) * length + length // 2] = False
-        if not whole.any():
-            break
-    return numpy.unique(numpy.minimum(numpy.flatnonzero(kept), count - 1))

@@ -2,7 +2,6 @@
 import dataclasses
 
 import numpy
-from crowd_figures import belongings
 from crowd_figures.bodies import BUILDS, parts_of
 from crowd_figures.skeleton import turned
 from scipy.spatial.transform import Rotation
@@ -35,14 +34,13 @@ class Person:
     build: str
     skeleton: list
     times: numpy.ndarray  # [s]
-    places: numpy.ndarray  # x, y on the floor [m]
-    headings: numpy.ndarray  # [rad]
-    rotations: dict  # local ones by joint, and the 'place' of the hips [figure's unit]
+    trunk: gait.Trunk
+    rotations: dict  # local ones by joint
     feet: list  # gait.Foot of left and right; none of who sits
 
-    def joints(self):
-        """Returns place [m] and rotation of each joint in the world."""
-        return gait.world_of(self)
+    def places(self):
+        """Returns the places on the floor [m]."""
+        return self.scale * self.trunk.places
 
 
 def person_of(name, number, track, figure, recorded, times):
@@ -52,30 +50,18 @@ def person_of(name, number, track, figure, recorded, times):
     skeleton, _ = parts_of(BUILDS[build], 4)
     body = body_of(track, times, scale)
     if figure == 'wheelchair':
-        rotations, feet = sitting(len(body.times)), []
+        trunk, rotations, feet = gait.sit(body)
     else:
-        rotations, feet = gait.walk(body, skeleton, scale, 0.75 + 0.5 * (7 * GOLDEN * number % 1.0))
+        trunk, rotations, feet = gait.walk(body, skeleton, scale, 0.75 + 0.5 * (7 * GOLDEN * number % 1.0))
         if figure in ('trolley', 'old'):
             hold(rotations, figure)
-    shown = body.shown
-    rotations = {joint: values[shown] for joint, values in rotations.items()}
-    feet = [gait.Foot(*(column[shown] for column in foot)) for foot in feet]
-    return Person(name, number, figure, recorded, scale, build, skeleton, body.times[shown],
-                  scale * body.places[shown], body.headings[shown], rotations, feet)
-
-
-def sitting(count):
-    """Returns the rotations of a person in a wheelchair."""
-    bends = {'thigh': -1.5, 'shank': 1.3, 'foot': 0.2, 'upper_arm': 0.25, 'forearm': -1.0}
-    found = {f'{side}_{joint}': turned('y', numpy.full(count, bend)) for joint, bend in bends.items()
-             for side in ('left', 'right')}
-    return {**found, 'place': numpy.tile([-0.02, 0.0, belongings.SEAT + 0.03], (count, 1))}
+    return Person(name, number, figure, recorded, scale, build, skeleton, times, trunk, rotations, feet)
 
 
 def hold(rotations, figure):
     """The right arm pulls a suitcase, or leans on a stick."""
     upper, lower = (0.42, -0.1) if figure == 'trolley' else (-0.12, -0.45)
-    count = len(rotations['place'])
+    count = len(rotations['hips'])
     rotations['right_upper_arm'] = turned('y', numpy.full(count, upper)) * turned('x', numpy.full(count, -0.06))
     rotations['right_forearm'] = turned('y', numpy.full(count, lower))
 
@@ -84,9 +70,8 @@ def colours_of(person):
     """Returns the colours of a person, by what has them."""
     if person.recorded:
         return {name: RECORDED if name != 'skin' else options[0] for name, options in COLOURS.items()}
-    outfit = person.number % OUTFITS
-    found = {name: options[int(len(options) * ((outfit + 1) * (place + 2) * GOLDEN % 1.0))]
-             for place, (name, options) in enumerate(COLOURS.items())}
+    random = numpy.random.default_rng(person.number % OUTFITS)
+    found = {name: options[random.integers(len(options))] for name, options in COLOURS.items()}
     return {**found, 'hair': OLD_HAIR} if person.figure == 'old' else found
 
 

@@ -24,7 +24,7 @@ class Scenery:
         walls = [wall_between(*wall, self.wall_height) for wall in scene.walls]
         if scene.map is not None:
             walls += boxes_of(scene.map, self.wall_height)
-        places = [person.places for person in people] + [numpy.array(wall)[..., :2].reshape(-1, 2) for wall in walls]
+        places = [person.places() for person in people] + [numpy.array(wall)[..., :2].reshape(-1, 2) for wall in walls]
         places = numpy.concatenate(places)
         low, high = places.min(axis=0) - MARGIN, places.max(axis=0) + MARGIN
         self.static('floor', box((*low, -0.05), (*high, 0.0)), FLOOR)

@@ -12,8 +12,8 @@ def write(file, people):
     with open(file, 'w', encoding='utf-8') as stream:
         stream.write(','.join(HEAD) + '\n')
         for person in people:
-            columns = [person.times, numpy.full(len(person.times), person.number), *person.places.T, person.headings,
-                       person.scale * person.rotations['place'][:, 2]]
+            columns = [person.times, numpy.full(len(person.times), person.number), *person.places().T, person.trunk.headings,
+                       person.scale * person.trunk.hips[:, 2]]
             for foot in person.feet:
                 columns += [*(person.scale * foot.ankle).T, foot.stands]
             form = ['%.4f', person.name.rpartition('_')[0] + '_%d', *['%.4f'] * 4, *['%.4f', '%.4f', '%.4f', '%d'] * 2]

@@ -42,8 +42,9 @@ def trunk(build, corners):
     """Pelvis and shirt."""
     shoulders, waist, hips = build.shoulders, build.waist, build.hips
     pelvis = rings([(HIP - 0.1, 0, 0.06, hips * 0.6), (HIP - 0.05, -0.008, 0.105, hips * 0.96),
-                    (HIP + 0.03, -0.008, 0.112, hips), (HIP + 0.13, 0, 0.098, waist + 0.004)], corners)
-    shirt = rings([(HIP + 0.0, -0.004, 0.118, hips + 0.012), (HIP + 0.12, 0, 0.108, waist + 0.008),
+                    (HIP + 0.01, -0.008, 0.11, hips - 0.002), (HIP + 0.08, -0.004, 0.085, waist - 0.02)], corners)
+    shirt = rings([(HIP - 0.015, -0.006, 0.127, hips + 0.015), (HIP + 0.03, -0.006, 0.123, hips + 0.013),
+                   (HIP + 0.13, 0, 0.109, waist + 0.008),
                    (1.16, 0, 0.107, waist + 0.008), (1.29, 0.004, 0.123, (waist + shoulders) / 2 + 0.008),
                    (1.38, 0, 0.118, shoulders + 0.003), (1.435, -0.008, 0.094, shoulders - 0.012),
                    (1.475, -0.012, 0.068, shoulders * 0.5), (1.495, -0.01, 0.055, 0.058)], corners)
@@ -53,8 +54,8 @@ def trunk(build, corners):
 def skirt(build, corners):
     """A skirt to the knees, which both thighs move."""
     return Part('trousers', rings([(HIP - 0.4, 0.005, 0.148, 0.2), (HIP - 0.2, 0, 0.14, 0.185),
-                                   (HIP - 0.03, -0.005, 0.122, build.hips + 0.01),
-                                   (HIP + 0.12, 0, 0.104, build.waist + 0.006)], corners),
+                                   (HIP - 0.03, -0.005, 0.118, build.hips + 0.006),
+                                   (HIP + 0.08, 0, 0.09, build.waist - 0.01)], corners),
                 ('hips', 'left_thigh right_thigh'))
 
 
@@ -83,10 +84,10 @@ def leg(build, side, places, corners):
     shares = ((hip, knee, 0.04), (hip, knee, 0.35), (hip, knee, 0.75), (hip, knee, 1.0), (knee, ankle, 0.28),
               (knee, ankle, 0.7), (knee, ankle, 1.0))
     radii = (0.084, 0.08, 0.062, 0.054, 0.055, 0.042, 0.037)
-    wider = 0.0 if build.skirt else 0.008
-    line = [start + (end - start) * share for start, end, share in shares]
+    first = 2 if build.skirt else 0  # the skirt hides the rest
+    line = [start + (end - start) * share for start, end, share in shares][first:]
     chain = tuple(f'{side}_{name}' for name in ('thigh', 'shank', 'foot'))
-    legs = limb(line, numpy.array(radii) + wider, corners)
+    legs = limb(line, numpy.array(radii[first:]) + (0.0 if build.skirt else 0.008), corners)
     return [Part('skin' if build.skirt else 'trousers', legs, ('hips', *chain)),
             Part('shoes', shoe() + numpy.array([0, places[f'{side}_foot'][1], 0]), (chain[2],))]
 
