@@ -2,11 +2,11 @@
 import numpy
 from crowd_figures import belongings
 from crowd_figures.bodies import BUILDS, parts_of, weights_of
+from crowd_figures.keys import keyframes
 from crowd_figures.skeleton import rest_places
 from scipy.spatial.transform import Rotation
 
 from .gltf import smoothed
-from .keys import keyframes
 from .people import COLOURS, BELONGINGS, colours_of, floor, local, local_quaternions, person_quaternions
 
 BEND, FREE_BEND = 0.002, 0.02  # bounds of keyframes: parts of quaternions of legs that stand, and of others
@@ -118,7 +118,8 @@ class Figures:
         self.animate(person.times, trunk.keys, channels)
         for side, foot in zip(('left', 'right'), person.feet):
             bound = numpy.where(foot.stands, BEND, FREE_BEND)[:, None]
-            self.reduce(person.times, {joints[f'{side}_{bone}']: rotations.pop(f'{side}_{bone}') for bone in LEG}, bound)
+            leg = {joints[f'{side}_{bone}']: rotations.pop(f'{side}_{bone}') for bone in LEG}
+            self.reduce(person.times, leg, bound)
         self.reduce(person.times, {joints[name]: values for name, values in rotations.items()}, FREE_BEND)
 
     def reduce(self, times, rotations, bound):
@@ -147,7 +148,8 @@ class Figures:
             shown = shown[:-1]
         if len(shown) > 1:
             times = self.document.accessor(numpy.array([time for time, _ in shown], 'float32'), None, True)
-            self.document.animate(node, 'scale', times, numpy.array([[size] * 3 for _, size in shown], 'float32'), 'STEP')
+            sizes = numpy.array([[size] * 3 for _, size in shown], 'float32')
+            self.document.animate(node, 'scale', times, sizes, 'STEP')
 
 
 def influences(rows, numbers):

@@ -2,12 +2,11 @@
 import dataclasses
 
 import numpy
-from crowd_figures.bodies import BUILDS, parts_of
+from crowd_figures import gait
+from crowd_figures.bodies import BUILDS, skeleton_of
+from crowd_figures.footsteps import body_of
 from crowd_figures.skeleton import turned
 from scipy.spatial.transform import Rotation
-
-from . import gait
-from .footsteps import body_of
 
 HEIGHTS = 0.92, 0.96, 1.0, 1.03, 1.06  # as of figures in RViz
 CHILD_HEIGHT = 0.6
@@ -47,7 +46,7 @@ def person_of(name, number, track, figure, recorded, times):
     """Returns the Person of a Track at its frames."""
     build = 'child' if figure == 'child' else ('broad', 'slim')[number % 2]
     scale = (CHILD_HEIGHT if figure == 'child' else 1.0) * HEIGHTS[int(len(HEIGHTS) * (GOLDEN * number % 1.0))]
-    skeleton, _ = parts_of(BUILDS[build], 4)
+    skeleton = skeleton_of(BUILDS[build])
     body = body_of(track, times, scale)
     if figure == 'wheelchair':
         trunk, rotations, feet = gait.sit(body)

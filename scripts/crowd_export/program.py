@@ -13,7 +13,7 @@ from .people import person_of
 from .scenery import Scenery
 
 LEAST_FRAMES = 2  # of a person
-rate = number_type(float, lambda number: 5 <= number <= 240, 'a number from 5 to 240')
+rate = number_type(float, lambda number: 10 <= number <= 240, 'a number from 10 to 240')
 EXAMPLES = '''Metres. glTF and BVH: y up; x, y of the map are x, -z. CSV: as the map, z up. docs/export.md has more.
 
 examples:
@@ -25,10 +25,11 @@ examples:
 
 def people_of(scene, tracks, start, duration, fps):
     """Returns the Persons who are there for some frames from a time on, and the times of all frames [s]."""
-    everybody = [(f'person_{number}', number, track, scene.figure_of(number), False) for number, track in tracks.items()]
+    everybody = [(f'person_{number}', number, track, scene.figure_of(number), False)
+                 for number, track in tracks.items()]
     everybody += [(f'recorded_{number}', number, track, 'adult', True) for number, track, _ in recorded_people(scene)]
-    ends = [track.times[-1] for _, _, track, *_ in everybody] + [robot['track'].times[-1] for robot in scene.robots
-                                                                if 'track' in robot]
+    ends = [track.times[-1] for _, _, track, *_ in everybody]
+    ends += [robot['track'].times[-1] for robot in scene.robots if 'track' in robot]
     last = int(numpy.floor((min(start + duration, max(ends)) - start) * fps + 1e-6))
     if last < 1:
         raise InputError(f'--start: the recording ends at {max(ends):g} s, got {start:g}')
@@ -79,14 +80,14 @@ def produce(arguments):
 
 
 def main(words=None):
-    parser = parser_of('export', 'Exports a run as people who walk: glTF for Blender, game engines and web pages, BVH for '
-                       'each person, and CSV. Needs neither a display nor ROS running.', EXAMPLES)
+    parser = parser_of('export', 'Exports a run as people who walk: glTF for Blender, game engines and web pages, BVH\n'
+                       'for each person, and CSV. Needs neither a display nor ROS running.', EXAMPLES)
     add_source(parser)
     add_file(parser, '--gltf', help='FILE.glb: glTF 2.0 with people, walls, floor, obstacles and robots')
     add_file(parser, '--bvh', metavar='FOLDER', help='folder of a file PERSON.bvh for each person')
     add_file(parser, '--csv', help='FILE.csv: place, heading and feet of each person in each frame')
     parser.add_argument('--fps', type=rate, default=30.0, metavar='N',
-                        help='frames in a second, before glTF leaves out those that are not needed (default: %(default)g)')
+                        help='frames in a second; glTF leaves out those that are not needed (default: %(default)g)')
     parser.add_argument('--wall-height', type=at_least_zero, default=1.0, metavar='M',
                         help='of walls [m] (default: %(default)g: one sees over them)')
     arguments = parser.parse_args(words)

@@ -16,7 +16,7 @@ def write(file, people):
                        person.scale * person.trunk.hips[:, 2]]
             for foot in person.feet:
                 columns += [*(person.scale * foot.ankle).T, foot.stands]
-            form = ['%.4f', person.name.rpartition('_')[0] + '_%d', *['%.4f'] * 4, *['%.4f', '%.4f', '%.4f', '%d'] * 2]
+            form = ['%.4f', person.name.rpartition('_')[0] + '_%d', *['%.4f'] * 4, *[*['%.4f'] * 3, '%d'] * 2]
             empty = ',' * (len(HEAD) - len(columns))
             numpy.savetxt(stream, numpy.column_stack(columns), ','.join(form[:len(columns)]) + empty)
             count += len(person.times)

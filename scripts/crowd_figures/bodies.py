@@ -6,6 +6,7 @@ import numpy
 from .shapes import ellipse, ellipsoid, join, limb, loft
 from .skeleton import ANKLE, HEEL, HIP, TOE, joints, rest_places
 
+FINE = 8  # corners of bodies with noses, ears, and all rings
 BLEND = 0.045  # half height of the part of a body that bends with a joint [m]
 
 
@@ -33,8 +34,14 @@ class Part(typing.NamedTuple):
     chain: tuple
 
 
+def few(rows, corners):
+    """Returns rows, or every second one of those between the ends if a body has few corners."""
+    return rows if corners >= FINE else [rows[0], *rows[1:-1:2], rows[-1]]
+
+
 def rings(rows, corners):
     """Returns a closed shape through horizontal rings (height, centre ahead, half depth, half width), lowest first."""
+    rows = few(rows, corners)
     return loft([ellipse((x, 0, z), ahead, left, corners) for z, x, ahead, left in rows])
 
 
@@ -73,7 +80,7 @@ def arm(build, side, sign, places, corners):
     inside = [i for i, point in enumerate(line) if point[2] > sleeve_end[2] + 0.02]
     sleeve = limb([cap, top + (0, 0, -0.005), *(line[i] for i in inside), sleeve_end],
                   numpy.r_[0.022, 0.05, radii[inside] + 0.008, radii[inside[-1]] + 0.006], corners)
-    palm = ellipsoid(wrist + (0.008, 0, -0.075), (0.042, 0.02, 0.085), corners, 5)
+    palm = ellipsoid(wrist + (0.008, 0, -0.075), (0.042, 0.02, 0.085), corners, 5 if corners >= FINE else 3)
     parts = [Part('shirt', sleeve, chain[:3]), Part('skin', palm, (chain[3],))]
     return parts if build.sleeves >= 2 else [*parts, Part('skin', limb(line[1:], radii[1:], corners), chain[1:])]
 
@@ -89,16 +96,16 @@ def leg(build, side, places, corners):
     chain = tuple(f'{side}_{name}' for name in ('thigh', 'shank', 'foot'))
     legs = limb(line, numpy.array(radii[first:]) + (0.0 if build.skirt else 0.008), corners)
     return [Part('skin' if build.skirt else 'trousers', legs, ('hips', *chain)),
-            Part('shoes', shoe() + numpy.array([0, places[f'{side}_foot'][1], 0]), (chain[2],))]
+            Part('shoes', shoe(corners) + numpy.array([0, places[f'{side}_foot'][1], 0]), (chain[2],))]
 
 
-def shoe():
+def shoe(corners):
     """A shoe under an ankle at x = 0: from the heel to the toes, flat below."""
     profile = [(HEEL, 0.024, 0.05), (HEEL + 0.02, 0.034, 0.085), (0.02, 0.036, ANKLE + 0.03), (0.08, 0.042, 0.065),
                (0.13, 0.045, 0.05), (TOE, 0.036, 0.036), (TOE + 0.025, 0.016, 0.026)]
     return loft([[(x, wide, z0), (x, wide, 0.55 * high), (x, 0.55 * wide, high), (x, -0.55 * wide, high),
                   (x, -wide, 0.55 * high), (x, -wide, z0)][::-1]
-                 for x, wide, high in profile for z0 in [0.012 if x in (HEEL, TOE + 0.025) else 0.0]])
+                 for x, wide, high in few(profile, corners) for z0 in [0.012 if x in (HEEL, TOE + 0.025) else 0.0]])
 
 
 def head(build, corners):
@@ -108,30 +115,36 @@ def head(build, corners):
 
     def grown(shape):
         return shape * size + middle
-    face = join(grown(rings([(-0.118, 0.03, 0.03, 0.022), (-0.1, 0.026, 0.056, 0.046), (-0.05, 0.008, 0.083, 0.068),
-                             (0.02, 0, 0.094, 0.076), (0.08, -0.004, 0.082, 0.066), (0.115, -0.01, 0.04, 0.03)],
-                            corners)),
-                grown(rings([(-0.045, 0.09, 0.022, 0.016), (-0.035, 0.093, 0.022, 0.015), (0.01, 0.088, 0.01, 0.008)],
-                            5)),
-                *(grown(ellipsoid((-0.005, side * 0.077, -0.012), (0.018, 0.009, 0.03), 5, 4)) for side in (1, -1)))
+    face = [grown(rings([(-0.118, 0.03, 0.03, 0.022), (-0.1, 0.026, 0.056, 0.046), (-0.05, 0.008, 0.083, 0.068),
+                         (0.02, 0, 0.094, 0.076), (0.08, -0.004, 0.082, 0.066), (0.115, -0.01, 0.04, 0.03)], corners))]
+    if corners >= FINE:
+        nose = ((-0.045, 0.09, 0.022, 0.016), (-0.035, 0.093, 0.022, 0.015), (0.01, 0.088, 0.01, 0.008))
+        face.append(grown(rings(nose, 5)))
+        face += [grown(ellipsoid((-0.005, side * 0.077, -0.012), (0.018, 0.009, 0.03), 5, 4)) for side in (1, -1)]
     neck = rings([(1.47, -0.012, 0.056, 0.058), (1.51, -0.008, 0.05, 0.05), (1.58, 0.0, 0.05, 0.048)], corners)
     low = -0.02 if not build.long_hair else -0.03
     hair = [grown(rings([(low - 0.03, -0.062, 0.034, 0.06), (low + 0.02, -0.03, 0.072, 0.08),
-                         (low + 0.075, -0.014, 0.094, 0.085), (0.098, -0.012, 0.084, 0.072), (0.13, -0.016, 0.05, 0.044),
-                         (0.138, -0.02, 0.02, 0.018)], corners))]
+                         (low + 0.075, -0.014, 0.094, 0.085), (0.098, -0.012, 0.084, 0.072),
+                         (0.13, -0.016, 0.05, 0.044), (0.138, -0.02, 0.02, 0.018)], corners))]
     if build.long_hair:
-        hair.append(grown(rings([(-0.19, -0.07, 0.026, 0.062), (-0.1, -0.068, 0.04, 0.084), (-0.02, -0.05, 0.052, 0.086),
-                                 (0.06, -0.03, 0.07, 0.082)], corners)))
-    return [Part('skin', face, ('head',)), Part('skin', neck, ('head', 'chest')), Part('hair', join(*hair), ('head',))]
+        hair.append(grown(rings([(-0.19, -0.07, 0.026, 0.062), (-0.1, -0.068, 0.04, 0.084),
+                                 (-0.02, -0.05, 0.052, 0.086), (0.06, -0.03, 0.07, 0.082)], corners)))
+    return [Part('skin', join(*face), ('head',)), Part('skin', neck, ('head', 'chest')),
+            Part('hair', join(*hair), ('head',))]
+
+
+def skeleton_of(build):
+    """Returns the joints of a Build."""
+    return joints(build.shoulders + 0.012)
 
 
 def parts_of(build, corners=10):
     """Returns skeleton and Parts of a Build; `corners`: how round its limbs are."""
-    skeleton = joints(half_shoulders=build.shoulders + 0.012)
+    skeleton = skeleton_of(build)
     places = rest_places(skeleton)
     parts = [*head(build, corners), *trunk(build, corners), *([skirt(build, corners)] if build.skirt else [])]
     for side, sign in (('left', 1), ('right', -1)):
-        parts += [*arm(build, side, sign, places, max(4, corners - 2)), *leg(build, side, places, max(5, corners - 2))]
+        parts += [*arm(build, side, sign, places, max(4, corners - 2)), *leg(build, side, places, max(4, corners - 2))]
     return skeleton, parts
 
 

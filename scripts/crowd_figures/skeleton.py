@@ -11,8 +11,8 @@ from scipy.spatial.transform import Rotation
 THIGH, SHANK, ANKLE = 0.43, 0.43, 0.07
 HIP = THIGH + SHANK + ANKLE  # height when standing straight [m]
 UPPER_ARM, FOREARM = 0.325, 0.255
+SEAT = 0.52  # height of the hip of a person who sits [m]
 HEEL, TOE = -0.07, 0.18  # where a foot touches the floor, ahead of the ankle [m]
-HEIGHT = 1.75
 
 
 class Joint(typing.NamedTuple):
@@ -22,7 +22,7 @@ class Joint(typing.NamedTuple):
     offset: tuple
 
 
-def joints(half_hips=0.09, half_shoulders=0.19):
+def joints(half_shoulders, half_hips=0.09):
     """Returns the joints, parents first."""
     found = [Joint('hips', None, (0.0, 0.0, HIP + 0.03)), Joint('spine', 'hips', (0.0, 0.0, 0.1)),
              Joint('chest', 'spine', (0.0, 0.0, 0.18)), Joint('head', 'chest', (0.0, 0.0, 0.27))]
@@ -50,7 +50,7 @@ def turned(axis, angles):
 
 
 def reach(hips, ankles, ahead):
-    """Returns the rotation of the thigh in the world, and the bend of the knee [rad], that bring the ankle to its place.
+    """Returns the rotation of the thigh in the world, and the bend of the knee [rad], that bring an ankle to its place.
 
     `ahead`: directions in which the knee points. An ankle that is too far away is approached with a straight leg."""
     way = ankles - hips
@@ -67,13 +67,12 @@ def reach(hips, ankles, ahead):
     return rotation, numpy.pi - numpy.arccos(inner)
 
 
-def world(skeleton, places, turns, rotations):
-    """Returns place and rotation of each joint in the world, given those of the person, and local rotations by joint; a
-    joint without one is not bent. `rotations` may have the place of the hips under 'place'."""
+def joint_places(skeleton, rotations, hips):
+    """Returns place and rotation of each joint, given the places of the hips, and local rotations by joint; a joint
+    without one is not bent."""
     found = {}
     for joint in skeleton:
-        place, turn = found[joint.parent] if joint.parent else (places, turns)
-        offset = rotations.get('place', joint.offset) if joint.parent is None else joint.offset
-        found[joint.name] = (place + turn.apply(offset),
+        place, turn = found[joint.parent] if joint.parent else (0.0, Rotation.identity(len(hips)))
+        found[joint.name] = (place + turn.apply(joint.offset) if joint.parent else hips,
                              turn * rotations[joint.name] if joint.name in rotations else turn)
     return found

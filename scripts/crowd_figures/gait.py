@@ -2,18 +2,18 @@
 import typing
 
 import numpy
-from crowd_figures.belongings import SEAT
-from crowd_figures.skeleton import ANKLE, HEEL, SHANK, THIGH, TOE, reach, rest_places, turned
+from .skeleton import ANKLE, HEEL, SEAT, SHANK, THIGH, TOE, reach, rest_places, turned
 from scipy.ndimage import gaussian_filter1d, minimum_filter1d, uniform_filter1d
 
 from .footsteps import Planner, SIDES
 from .keys import keyframes
 
 HEEL_STRIKE, PUSH_OFF = 0.3, 0.65  # pitch of the foot as it lands, toes up, and as it leaves the floor, heel up [rad]
-LANDING, ROLLING = 0.15, 0.5  # shares of the stance: until the foot is flat, and from which on its heel rises
+LANDING, ROLLING = 0.15, 0.35  # until a foot is flat, and in which its heel rises before it leaves the floor [s]
 CLEARANCE = 0.025  # height of the foot in the middle of its swing [m]
 STRAIGHT = 0.993  # longest leg, as a share of a straight one
-EASE = 5  # frames to each side over which the height of the hips changes
+EASE = 0.07  # over which the height of the hips is smooth, twice [s]
+CALM, CALM_SWAY, CALM_SPEED = 0.05, 0.13, 0.2  # standard deviations of smoothed motions of arms, sway, speed [s]
 SWAY = 0.025  # of the hips to the foot that stands [m]
 HIP_TURN, CHEST_TURN = 0.14, 0.3  # with each metre that a foot is ahead of the other one [rad/m]
 ARM_SWING, ELBOW_SWING = 0.75, 0.5  # [rad/m]
@@ -46,8 +46,8 @@ def ankle_of(place, heading, pitch, clearance):
                                height])
 
 
-def foot_of(foot, planner, steps):
-    """Returns the Foot that makes its share of the steps. The planner has its first place."""
+def foot_of(foot, planner, steps, frame):
+    """Returns the Foot that makes its share of the steps, with the duration of a frame [s]."""
     count = planner.last + 1
     place, heading = planner.places[foot][0], planner.headings[foot][0]
     places, headings = numpy.tile(place, (count, 1)), numpy.full(count, heading)
@@ -67,17 +67,17 @@ def foot_of(foot, planner, steps):
         places[step.landed:], headings[step.landed:] = place, heading
         end = following.lifted if following else count - 1
         stance = numpy.arange(step.landed, end + 1)
-        share = (stance - step.landed) / max(1, end - step.landed)
-        pitches[stance] = HEEL_STRIKE * step.length * (1 - smooth((stance - step.landed) / 5))
+        pitches[stance] = HEEL_STRIKE * step.length * (1 - smooth((stance - step.landed) * frame / LANDING))
         if following:
-            pitches[stance] -= PUSH_OFF * following.length * smooth((stance - end + 9) / 9) ** 1.5
+            pitches[stance] -= PUSH_OFF * following.length * smooth((stance - end) * frame / ROLLING + 1) ** 1.5
     return Foot(ankle_of(places, headings, pitches, clearances), headings, pitches, stands)
 
 
 def hips_of(body, feet, pelvis, skeleton):
     """Returns the places of the hips in the world: over the path, swaying, as high as the legs permit."""
-    rest = rest_places(skeleton)
-    weight = gaussian_filter1d(feet[0].stands.astype(float) - feet[1].stands, 4.0)
+    rest, frame = rest_places(skeleton), body.times[1] - body.times[0]
+    ease = 1 + 2 * round(EASE / 2 / frame)
+    weight = gaussian_filter1d(feet[0].stands.astype(float) - feet[1].stands, CALM_SWAY / frame)
     across = numpy.column_stack([-numpy.sin(body.headings), numpy.cos(body.headings)])
     places = numpy.column_stack([body.places + SWAY * weight[:, None] * across, numpy.zeros(len(weight))])
     heights = numpy.full(len(weight), ANKLE + STRAIGHT * (THIGH + SHANK))
@@ -87,7 +87,7 @@ def hips_of(body, feet, pelvis, skeleton):
         length = STRAIGHT * (THIGH + SHANK)
         heights = numpy.minimum(heights, foot.ankle[:, 2] + numpy.sqrt(numpy.maximum(length ** 2 - away ** 2, 0.1)))
     for _ in range(2):  # a mean of minima is nowhere above what it is of
-        heights = uniform_filter1d(minimum_filter1d(heights, EASE), EASE)
+        heights = uniform_filter1d(minimum_filter1d(heights, ease), ease)
     places[:, 2] = heights + rest['hips'][2] - rest['left_thigh'][2]
     return places
 
@@ -117,14 +117,14 @@ def trunk_of(body, feet, skeleton, ahead):
 def walk(body, skeleton, scale, manner):
     """Returns the Trunk, rotations by joint, and the feet at the shown frames of a Body; `manner`: how far the arms
     swing, 1 is usual."""
-    planner = Planner(body, scale)
+    planner, frame = Planner(body, scale), body.times[1] - body.times[0]
     steps = planner.steps()
-    feet = [foot_of(foot, planner, steps) for foot in range(len(SIDES))]
+    feet = [foot_of(foot, planner, steps, frame) for foot in range(len(SIDES))]
     way = numpy.column_stack([numpy.cos(body.headings), numpy.sin(body.headings), numpy.zeros(len(body.times))])
-    ahead = gaussian_filter1d(numpy.sum((feet[0].ankle - feet[1].ankle) * way, axis=1), 1.5)  # the left foot
+    ahead = gaussian_filter1d(numpy.sum((feet[0].ankle - feet[1].ankle) * way, axis=1), CALM / frame)  # the left foot
     trunk = trunk_of(body, feet, skeleton, ahead)
-    speed = gaussian_filter1d(numpy.linalg.norm(numpy.gradient(body.places, axis=0), axis=1), 6.0) / (
-        body.times[1] - body.times[0])
+    speed = gaussian_filter1d(numpy.linalg.norm(numpy.gradient(body.places, axis=0), axis=1),
+                              CALM_SPEED / frame) / frame
     ahead, speed, feet = ahead[body.shown], speed[body.shown], [
         Foot(*(column[body.shown] for column in foot)) for foot in feet]
     rotations = {'hips': turned('z', trunk.pelvis), 'spine': turned('y', LEAN * speed),
@@ -157,7 +157,8 @@ def sit(body):
     count = body.shown.stop - body.shown.start
     exact = numpy.column_stack([body.places, body.headings])[body.shown]
     keys = keyframes(exact, [MOVE, MOVE, BEND])
-    trunk = Trunk(keys, exact[:, :2], exact[:, 2], numpy.tile([-0.02, 0.0, SEAT + 0.03], (count, 1)), numpy.zeros(count))
+    hips = numpy.tile([-0.02, 0.0, SEAT + 0.03], (count, 1))
+    trunk = Trunk(keys, exact[:, :2], exact[:, 2], hips, numpy.zeros(count))
     bends = {'thigh': -1.5, 'shank': 1.3, 'foot': 0.2, 'upper_arm': 0.25, 'forearm': -1.0}
     return trunk, {f'{side}_{joint}': turned('y', numpy.full(count, bend)) for joint, bend in bends.items()
                    for side in ('left', 'right')}, []

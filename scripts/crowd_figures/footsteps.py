@@ -60,7 +60,7 @@ def body_of(track, times, scale):
 
 
 class Planner:
-    """Plans the steps of a person. A foot is put down where the body will be in the middle of the time that it stands."""
+    """Plans the steps of a person. A foot lands where the body will be in the middle of the time that it stands."""
 
     def __init__(self, body, scale):
         self.last = len(body.times) - 1
