@@ -140,11 +140,12 @@ class Figures:
                                       numpy.round(values * 32767).astype(numpy.int16))
 
     def show(self, person, node):
-        """Lets a person appear and disappear."""
-        shown = [(time, size) for time, size in ((0.0, 0.0), (person.times[0], person.scale), (person.times[-1], 0.0))]
+        """Lets a person appear in its first frame, and disappear after its last one."""
+        end = 2 * person.times[-1] - person.times[-2]
+        shown = [(0.0, 0.0), (person.times[0], person.scale), (end, 0.0)]
         if person.times[0] <= 0.0:
             shown = shown[1:]
-        if person.times[-1] >= self.duration - 1e-6:
+        if end > self.duration + 1e-6:
             shown = shown[:-1]
         if len(shown) > 1:
             times = self.document.accessor(numpy.array([time for time, _ in shown], 'float32'), None, True)

@@ -23,7 +23,7 @@ class Build(typing.NamedTuple):
 
 
 BUILDS = {build.name: build for build in (
-    Build('broad', 0.185, 0.15, 0.155, sleeves=2.0), Build('slim', 0.16, 0.12, 0.16, skirt=True, long_hair=True),
+    Build('broad', 0.178, 0.15, 0.155, sleeves=2.0), Build('slim', 0.16, 0.12, 0.16, skirt=True, long_hair=True),
     Build('child', 0.155, 0.135, 0.14, head=1.32))}
 
 

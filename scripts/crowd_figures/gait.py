@@ -17,7 +17,7 @@ CALM, CALM_SWAY, CALM_SPEED = 0.05, 0.13, 0.2  # standard deviations of smoothed
 SWAY = 0.025  # of the hips to the foot that stands [m]
 HIP_TURN, CHEST_TURN = 0.14, 0.3  # with each metre that a foot is ahead of the other one [rad/m]
 ARM_SWING, ELBOW_SWING = 0.75, 0.5  # [rad/m]
-ARM_AWAY, ELBOW = 0.09, 0.25  # arm from the trunk, bend of the elbow [rad]
+ARM_AWAY, ELBOW, LEAST_ELBOW = 0.06, 0.25, 0.05  # arm from the trunk, bend of the elbow [rad]
 LEAN = 0.03  # of the trunk with each m/s [rad]
 MOVE, BEND = 0.003, 0.01  # bounds of the key frames of the trunk [m], [rad]
 
@@ -135,7 +135,8 @@ def walk(body, skeleton, scale, manner):
         swing = -sign * ahead * manner  # of the arm, ahead above 0
         rotations[f'{side}_upper_arm'] = turned('y', 0.06 - ARM_SWING * swing) * turned('x', numpy.full(
             len(swing), sign * ARM_AWAY))
-        rotations[f'{side}_forearm'] = turned('y', -ELBOW - ELBOW_SWING * (swing + 0.35 * numpy.abs(ahead)))
+        bend = ELBOW + ELBOW_SWING * (swing + 0.35 * numpy.abs(ahead))
+        rotations[f'{side}_forearm'] = turned('y', -numpy.maximum(bend, LEAST_ELBOW))
         rotations.update(leg_of(side, foot, hips, turns, trunk.headings, skeleton))
     return trunk, rotations, feet
 
@@ -159,6 +160,6 @@ def sit(body):
     keys = keyframes(exact, [MOVE, MOVE, BEND])
     hips = numpy.tile([-0.02, 0.0, SEAT + 0.03], (count, 1))
     trunk = Trunk(keys, exact[:, :2], exact[:, 2], hips, numpy.zeros(count))
-    bends = {'thigh': -1.5, 'shank': 1.3, 'foot': 0.2, 'upper_arm': 0.25, 'forearm': -1.0}
+    bends = {'thigh': -1.5, 'shank': 0.9, 'foot': 0.4, 'upper_arm': 0.25, 'forearm': -1.0}
     return trunk, {f'{side}_{joint}': turned('y', numpy.full(count, bend)) for joint, bend in bends.items()
                    for side in ('left', 'right')}, []

@@ -18,8 +18,8 @@ class Glb:
         self.nodes = self.document['nodes']
         self.parents = {child: node for node, entry in enumerate(self.nodes) for child in entry.get('children', [])}
         animation, = self.document.get('animations', [{'channels': [], 'samplers': []}])
-        self.channels = {(channel['target']['node'], channel['target']['path']): animation['samplers'][channel['sampler']]
-                         for channel in animation['channels']}
+        self.channels = {(channel['target']['node'], channel['target']['path']):
+                         animation['samplers'][channel['sampler']] for channel in animation['channels']}
 
     def named(self, name):
         """Returns the number of the only node of a name."""
