@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from .gltf import smoothed
 from .people import COLOURS, BELONGINGS, colours_of, floor, local, local_quaternions, person_quaternions
 
-BEND, FREE_BEND = 0.002, 0.02  # bounds of keyframes: parts of quaternions of legs that stand, and of others
+BEND, FREE_BEND = 0.0015, 0.02  # bounds of keyframes: parts of quaternions of legs that stand, and of others
 LEG = 'thigh', 'shank', 'foot'
 
 

@@ -1,5 +1,4 @@
 """scripts/export: people of runs as glTF, BVH and CSV."""
-import csv
 import json
 import os
 import shutil
@@ -8,8 +7,8 @@ from pathlib import Path
 
 import numpy
 import pytest
-from crowd_figures.skeleton import ANKLE, HEEL, TOE
 from crowd_recordings.formats import read_recording
+from foot_slide import FINER, feet_of, rows_of, slides_of, stances
 from glb import Glb
 from programs import PATIENCE, assert_says, in_package, tools_folder
 
@@ -51,22 +50,6 @@ def runs(tmp_path_factory):
     return folders
 
 
-def rows_of(folder):
-    """Returns the rows of a.csv by person."""
-    people = {}
-    with open(folder / 'a.csv', encoding='utf-8') as stream:
-        for row in csv.DictReader(stream):
-            people.setdefault(row['person'], []).append(row)
-    return people
-
-
-def periods(flags):
-    """Yields begin and last frame of periods in which a flag is set."""
-    edges = numpy.flatnonzero(numpy.diff(numpy.r_[0, flags, 0].astype(int)))
-    for begin, end in zip(edges[::2], edges[1::2]):
-        yield begin, end - 1
-
-
 class FileTest:
     """What is in a glTF file."""
 
@@ -98,7 +81,7 @@ class FileTest:
     def test_people_are_there_while_they_walk(self, runs):
         glb = Glb(runs['kinds_hall'] / 'a.glb')
         later = 0
-        for person, rows in rows_of(runs['kinds_hall']).items():
+        for person, rows in rows_of(runs['kinds_hall'] / 'a.csv').items():
             begin, end = float(rows[0]['time']), float(rows[-1]['time'])
             times = numpy.array([begin - 0.02, begin + 0.01, end - 0.01, end + 0.04])
             sizes = glb.animated(glb.named(person), 'scale', times)[:, 0]
@@ -118,7 +101,7 @@ class FileTest:
 
     def test_size_of_a_second_of_a_person(self, runs):
         """200 people for 60 s are 12,000 of them, and must have less than 30 MB."""
-        seconds = sum(len(rows) for rows in rows_of(runs['place_two_way_door']).values()) / 30
+        seconds = sum(len(rows) for rows in rows_of(runs['place_two_way_door'] / 'a.csv').values()) / 30
         assert os.path.getsize(runs['place_two_way_door'] / 'a.glb') - 300_000 < 30e6 / 12_000 * seconds
 
 
@@ -129,24 +112,14 @@ class GaitTest:
         """The point of a foot on the floor stays where it is while the foot stands, also between keyframes."""
         for scenario, folder in runs.items():
             glb, slides, shares = Glb(folder / 'a.glb'), [], []
-            walkers = {name: rows for name, rows in rows_of(folder).items() if rows[0]['left_x']}
+            walkers = {name: rows for name, rows in rows_of(folder / 'a.csv').items() if rows[0]['left_x']}
             for person, rows in list(walkers.items())[:PEOPLE]:
-                node, start = glb.named(person), float(rows[0]['time'])
-                for side in ('left', 'right'):
-                    stands = numpy.array([row[f'{side}_stands'] == '1' for row in rows])
+                for stands, heights, moves in feet_of(glb, person, rows):
+                    slides += slides_of(stands, moves)
                     shares.append(stands.mean())
-                    times = start + numpy.arange(4 * (len(rows) - 1) + 1) / 120
-                    foot = glb.world(glb.below(node, f'{side}_foot'), times)
-                    ends = [(foot @ [0, -ANKLE, ahead, 1])[:, :3] for ahead in (HEEL, TOE)]
-                    heights = numpy.array([end[:, 1] for end in ends])
                     assert heights.min() > -0.01
-                    moves = numpy.array([numpy.linalg.norm(numpy.diff(end[:, [0, 2]], axis=0), axis=1) for end in ends])
-                    # Who stands on heel and toes stands on both; else on the lower one.
-                    on_floor = heights[:, 1:] < heights[:, 1:].min(axis=0) + 0.003
-                    moves = numpy.where(on_floor, moves, numpy.inf).min(axis=0)
-                    for begin, end in periods(stands):
-                        slides.append(moves[4 * begin:4 * end].sum())
-                        assert heights.min(axis=0)[4 * begin:4 * end + 1].max(initial=0) < 0.02
+                    for begin, end in stances(stands):
+                        assert heights[FINER * begin:FINER * end + 1].max() < 0.02
             assert numpy.mean(slides) < SLIDE, scenario
             assert len(slides) > 50 and 0.55 < numpy.mean(shares) < 1, scenario  # 60 % of a cycle of who walks
 
@@ -165,7 +138,7 @@ class GaitTest:
         runner.write('stands.csv', 'instance,tick,agent,x,y\n' + ''.join(f'0,{tick},0,1,2\n' for tick in range(30)))
         status, output = export(runner.folder, '--trajectories', 'stands.csv', '--gltf', 'a.glb', '--csv', 'a.csv')
         assert status == 0, output
-        rows, = rows_of(Path(runner.folder)).values()
+        rows, = rows_of(runner.path('a.csv')).values()
         assert all(row[f'{side}_stands'] == '1' for row in rows for side in ('left', 'right'))
         assert [key for key in Glb(runner.path('a.glb')).channels if key[1] == 'rotation'] == []
 
@@ -174,7 +147,7 @@ class BvhTest:
     """BVH files."""
 
     def test_hips_are_where_they_are_in_the_csv(self, runs):
-        for person, rows in list(rows_of(runs['kinds_hall']).items())[:4]:
+        for person, rows in list(rows_of(runs['kinds_hall'] / 'a.csv').items())[:4]:
             text = (runs['kinds_hall'] / 'bvh' / f'{person}.bvh').read_text()
             head, motion = text.split('MOTION\n')
             lines = motion.splitlines()
@@ -196,7 +169,7 @@ class BvhTest:
                               timeout=PATIENCE, check=False)
         output = done.stdout.decode(errors='replace')
         found = json.loads(next(line[6:] for line in output.splitlines() if line.startswith('FOUND ')))
-        people = rows_of(folder)
+        people = rows_of(folder / 'a.csv')
         assert found['people'] == len(people)
         for person, rows in people.items():
             for frame in (1, 30):  # Blender's x and y are those of the map
