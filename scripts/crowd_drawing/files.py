@@ -174,6 +174,7 @@ class Scene:
         self.need(self.tick > 0, 'tick', 'a number above 0', self.tick)
         self.speed_unit = 1.0 / self.tick if document.get('units') == 'thesis' else 1.0  # [m/s]
         self.name = str(document.get('name', ''))
+        self.kinds = document.get('kinds') or {}
         self.agents, self.obstacles, self.robots = (
             [body for i, entry in enumerate(document.get(key) or [])
              for body in [read(entry, f'{key}[{i}]')] * self.count(entry, f'{key}[{i}].count')]
@@ -190,6 +191,15 @@ class Scene:
             return self.radii[agent]
         radii = self.population.source_radii or [DEFAULT_RADIUS]
         return self.agents[agent]['radius'] if agent < len(self.agents) else radii[0]
+
+    def figure_of(self, agent):
+        """Returns the figure of an agent (docs/kinds.md); those of sources are adults."""
+        return self.agents[agent]['figure'] if agent < len(self.agents) else 'adult'
+
+    def kind_of(self, entry):
+        """Returns the kind of an entry, of a mix the first one. The package's kinds are in what evaluate writes."""
+        name = entry.get('kind')
+        return (self.kinds.get(next(iter(name)) if isinstance(name, dict) else name) or {}) if name else {}
 
     def need(self, condition, where, expected, got):
         if not condition:
@@ -217,7 +227,7 @@ class Scene:
         return [point for point in found if point is not None]
 
     def radius(self, entry, where):
-        radius = self.number(entry['radius'], f'{where}.radius')
+        radius = self.number({**self.kind_of(entry), **entry}['radius'], f'{where}.radius')
         self.need(radius > 0, f'{where}.radius', 'a number above 0', radius)
         return radius
 
@@ -232,6 +242,7 @@ class Scene:
         mirror = goal.get('opposite') if isinstance(goal, dict) else None
         return {
             'radius': self.radius(entry, where),
+            'figure': self.kind_of(entry).get('figure', 'adult'),
             'speed': self.number(entry.get('speed', 0), f'{where}.speed') * self.speed_unit,
             'goals': self.points(goal, f'{where}.goal'),
             # Centre of a goal that lies opposite the start.

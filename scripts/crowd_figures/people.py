@@ -1,123 +1,81 @@
-"""The bodies of people and their files: heads, shirts, and dark parts (hair, trousers or skirt, shoes).
-
-Each is a mesh of one colour: the fewer meshes, the faster RViz draws them.
-"""
-import math
-import typing
-
+"""The figures of RViz: people who walk, stand and sit, in meshes of one colour each: head, shirt, and dark parts (hair,
+trousers or skirt, shoes). The fewer meshes, the faster RViz draws them."""
 import numpy
 
-from .shapes import ellipse, ellipsoid, join, limb, loft
+from .bodies import BUILDS, parts_of, weights_of
+from .footsteps import Body, WALK_RATIO
+from .gait import sit, walk
+from .skeleton import joint_places, rest_places
 
-FRAMES = 8
-HIP_SWING = 24.0  # [degrees] to each side: with a leg of 0.88 m a cycle of 1.4 m
-ARM_SWING = 22.0
-THIGH, SHIN, HIP = 0.43, 0.42, 0.92  # lengths, and height of the hip when standing [m]
-UPPER_ARM, FOREARM, SHOULDER = 0.29, 0.29, 1.42
-
-
-def bump(phase, middle, width):
-    """A smooth hump of height 1 in a cycle of length 1."""
-    away = (phase - middle + 0.5) % 1.0 - 0.5
-    return math.exp(-(away / width) ** 2)
+FRAMES = 8  # pictures of a walking cycle; one more of a person who stands
+STEP = 0.7  # length of a step [m]: half a cycle of marker_gait.h
+FRAMES_OF_STEP = 16  # of the walk that the pictures are taken from
+CORNERS = 6  # of limbs
 
 
-def leg(phase):
-    """Angles of hip and knee [degrees] at a phase of the leg's cycle, 0 to 1; its heel touches the floor at 0."""
-    knee = 4.0 + 12.0 * bump(phase, 0.14, 0.1) + 56.0 * bump(phase, 0.73, 0.12)
-    return 3.0 + HIP_SWING * math.cos(2 * math.pi * phase), knee
+def straight(speed):
+    """Returns a Body that walks straight on at a speed [m/s]."""
+    count = 12 * FRAMES_OF_STEP
+    times = numpy.arange(count) * WALK_RATIO / STEP / FRAMES_OF_STEP
+    return Body(times, numpy.column_stack([speed * times, 0 * times]), 0 * times, slice(0, count))
 
 
-def arm(phase):
-    """Angles of shoulder and elbow [degrees] at the phase of the leg on the same side: the arm swings against it."""
-    swing = -math.cos(2 * math.pi * phase)
-    return ARM_SWING * swing, 22.0 + 12.0 * swing
+def poses(skeleton):
+    """Returns the poses of the pictures: rotations by joint, and the place of the hips."""
+    found = []
+    for speed, frames in ((STEP ** 2 / WALK_RATIO, FRAMES), (0.0, 1)):
+        trunk, rotations, feet = walk(straight(speed), skeleton, 1.0, 1.0)
+        landed = numpy.flatnonzero(numpy.diff(feet[0].stands.astype(int)) > 0)
+        first = landed[len(landed) // 2] if len(landed) else 0
+        for frame in first + (numpy.arange(frames) + 0.5) * 2 * FRAMES_OF_STEP / FRAMES:
+            found.append(({name: turns[[int(frame)]] for name, turns in rotations.items()}, trunk.hips[[int(frame)]]))
+    return found
 
 
-def joints(frame):
-    """Angles (hip, knee, shoulder, elbow) [degrees] of left and right in a frame; FRAMES: of a person who stands."""
-    if frame == FRAMES:
-        return [(0.0, 0.0, 0.0, 8.0)] * 2
-    phase = (frame + 0.5) / FRAMES
-    return [(*leg(part), *arm(part)) for part in (phase, (phase + 0.5) % 1.0)]
+def posed(part, skeleton, rotations, hips):
+    """Returns the shape of a part of a person with these rotations."""
+    rest, now = rest_places(skeleton), joint_places(skeleton, rotations, hips)
+    points = part.shape.reshape(-1, 3)
+    moved = sum(share[:, None] * (now[joint][1].apply(points - rest[joint]) + now[joint][0])
+                for joint, share in weights_of(part, points, rest))
+    return moved.reshape(part.shape.shape)
 
 
-class Build(typing.NamedTuple):
-    """Half widths of a person 1.75 m tall [m]."""
-    name: str
-    shoulders: float
-    waist: float
-    hips: float
-    skirt: bool
-    long_hair: bool
+def mesh_of(part):
+    """Returns in which mesh a part is."""
+    if part.colour == 'skin' and part.chain[0] == 'head':
+        return 'head'
+    is_arm = any('arm' in joint or 'hand' in joint for joint in part.chain)
+    return 'shirt' if part.colour == 'shirt' or is_arm else 'dark'
 
 
-BUILDS = [Build('broad', 0.20, 0.155, 0.155, False, False), Build('slim', 0.17, 0.125, 0.165, True, True)]
-
-
-def chain(start, lengths, angles):
-    """Points of a limb from its start, lengths of its parts and angles to the vertical [degrees], ahead > 0."""
-    points = [numpy.array(start, float)]
-    for length, angle in zip(lengths, numpy.radians(angles)):
-        points.append(points[-1] + length * numpy.array([math.sin(angle), 0.0, -math.cos(angle)]))
-    return points
-
-
-def legs(build, frame):
-    """Trousers or skirt, and shoes."""
-    parts, feet = [], []
-    for side, (hip, knee, _, _) in zip((1, -1), joints(frame)):
-        points = chain((0.0, side * 0.09, HIP), (THIGH, SHIN), (hip, hip - knee))
-        parts.append(limb(points, (0.088, 0.062, 0.047), 5))
-        tilt = math.radians(hip - knee) * 0.6
-        ahead = numpy.array([math.cos(tilt), 0.0, math.sin(tilt)])
-        foot = limb([points[-1] + length * ahead for length in (-0.06, 0.06, 0.19)], (0.04, 0.05, 0.03), 4)
-        parts.append(foot)
-        feet.append(foot)
-    parts.append(loft([ellipse((0, 0, z), ahead, left, 7) for z, ahead, left in
-                       ((HIP - 0.06, 0.1, build.hips), (HIP + 0.1, 0.1, build.waist))]))
-    if build.skirt:
-        spread = 0.13 + 0.12 * abs(math.sin(math.radians(joints(frame)[0][0])))
-        parts.append(loft([ellipse((0, 0, z), ahead, left, 7) for z, ahead, left in
-                           ((HIP - 0.36, spread, 0.19), (HIP + 0.02, 0.115, build.hips + 0.01))]))
-    return join(*parts), min(foot[:, :, 2].min() for foot in feet)
-
-
-def shirt(build, frame):
-    """Trunk and arms."""
-    rings = ((HIP + 0.06, 0.108, build.waist + 0.015), (1.12, 0.1, build.waist), (1.32, 0.125, build.shoulders * 0.9),
-             (1.43, 0.115, build.shoulders), (1.5, 0.05, 0.07))
-    parts = [loft([ellipse((0, 0, z), ahead, left, 7) for z, ahead, left in rings])]
-    for side, (_, _, shoulder, elbow) in zip((1, -1), joints(frame)):
-        start = (0.0, side * (build.shoulders + 0.01), SHOULDER)
-        points = chain(start, (UPPER_ARM, FOREARM), (shoulder, shoulder + elbow))
-        parts.append(limb(points, (0.065, 0.048, 0.038), 4))
-    return join(*parts)
-
-
-def head():
-    """Face and neck, which do not move with the steps."""
-    neck = loft([ellipse((0, 0, z), 0.05, 0.05, 6) for z in (1.44, 1.55)])
-    return join(ellipsoid((0.01, 0, 1.62), (0.1, 0.08, 0.125), 8, 5), neck)
-
-
-def hair(build):
-    """Covers the upper and the rear part of the head."""
-    parts = [ellipsoid((-0.018, 0, 1.66), (0.1, 0.085, 0.1), 7, 4)]
-    if build.long_hair:
-        parts.append(loft([ellipse((-0.06, 0, z), ahead, left, 6) for z, ahead, left in
-                           ((1.42, 0.03, 0.07), (1.52, 0.05, 0.09), (1.66, 0.06, 0.09))]))
-    return join(*parts)
+def person(skeleton, parts, rotations, hips, is_level):
+    """Returns the meshes of a person by their names. `is_level`: what is above the legs is as high in all pictures, as
+    the head is."""
+    lift = numpy.array([0, 0, rest_places(skeleton)['hips'][2] - hips[0, 2]]) if is_level else 0.0
+    found = {}
+    for part in parts:
+        name = mesh_of(part)
+        shape = posed(part, skeleton, rotations, hips)
+        found.setdefault(name, []).append(shape if name == 'dark' and part.colour != 'hair' else shape + lift)
+    return {name: numpy.concatenate(shapes) for name, shapes in found.items()}
 
 
 def shapes():
-    """Head, shirt and dark parts of each build, by the name of their file."""
+    """Returns all meshes by the names of their files."""
     made = {}
-    for build in BUILDS:
-        made[f'{build.name}_head'] = head()
-        for frame in range(FRAMES + 1):
-            lower, floor = legs(build, frame)
-            up = numpy.array([0.0, 0.0, -floor])  # the lower foot is on the floor
-            made[f'{build.name}_dark_{frame}'] = join(lower + up, hair(build))
-            made[f'{build.name}_shirt_{frame}'] = shirt(build, frame) + up
-    return made
+    for build in ('broad', 'slim'):
+        skeleton, parts = parts_of(BUILDS[build], CORNERS)
+        still = [part for part in parts if 'head' in part.chain]
+        moving = [part for part in parts if 'head' not in part.chain]
+        for frame, (rotations, hips) in enumerate(poses(skeleton)):
+            meshes = person(skeleton, moving, rotations, hips, True)
+            dark = meshes['dark'] - numpy.array([0, 0, meshes['dark'][:, :, 2].min()])  # the lower foot is on the floor
+            heads = person(skeleton, still, {}, rest_places(skeleton)['hips'][None], False)
+            made[f'{build}_dark_{frame}'] = numpy.concatenate([dark, heads['dark']])
+            made[f'{build}_shirt_{frame}'] = meshes['shirt']
+            made[f'{build}_head'] = heads['head']
+    skeleton, parts = parts_of(BUILDS['broad'], CORNERS)
+    trunk, rotations, _ = sit(straight(0.0))
+    meshes = person(skeleton, parts, {name: turns[[0]] for name, turns in rotations.items()}, trunk.hips[:1], False)
+    return {**made, **{f'sitting_{name}': shape for name, shape in meshes.items()}}

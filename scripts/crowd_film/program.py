@@ -3,16 +3,13 @@ import dataclasses
 import math
 import pathlib
 import sys
-import tempfile
 
 from crowd_drawing.errors import InputError, check_output, replaced
-from crowd_drawing.files import find_scenario
-from crowd_experiments.arguments import above_zero, add_file, add_tools, at_least_zero, parser_of, pixels, whole
-from crowd_experiments.runs import ProgressBar, output_of
-from crowd_experiments.tools import find_config, find_tools
+from crowd_experiments.arguments import above_zero, add_file, parser_of, pixels
+from crowd_experiments.runs import ProgressBar
 from crowd_film.pictures import need_ffmpeg, write_gif, write_mp4, write_webp
 from crowd_film.stage import FramePainter, LEAST_WIDTH, Stage
-from crowd_recordings.formats import read_shown
+from crowd_recordings.source import add_source, check_source, read_source
 from matplotlib import pyplot
 
 WRITERS = {'.gif': write_gif, '.webp': write_webp, '.mp4': write_mp4}
@@ -30,19 +27,6 @@ EXAMPLES = '''examples:
 
 One episode is walked with `evaluate`, or a recording of `evaluate --trajectories` is shown. MP4 needs ffmpeg.
 Recordings of robots are those of `evaluate --robot-log`.'''
-ROBOT = 'reactive'  # controller of robots
-
-
-def walk(scenario, evaluate, table, seed, robot, folder):
-    """Walks one episode with `evaluate`, with a controller of its robots. Returns the scene as drawn, and the Tracks by
-    agent. Raises RunError."""
-    file = pathlib.Path(find_scenario(scenario)).resolve()
-    print(f'film: walking {file.stem}', file=sys.stderr, flush=True)
-    log = folder / 'log.jsonl'
-    output_of([evaluate, '--q-table', table, '--episodes', 1, '--seed', seed, '--trajectories', folder, '--scenes',
-               folder, '--robot', robot, '--robot-log', log, file])
-    has_robots = log.is_file() and log.stat().st_size > 0
-    return read_shown(log if has_robots else folder / f'{file.stem}.csv', folder / file.name)[:2]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -125,16 +109,7 @@ def produce(arguments):
     check_output(arguments.output)
     if arguments.output.suffix.lower() == '.mp4':
         need_ffmpeg()
-    if arguments.trajectories:
-        scene, tracks, _ = read_shown(arguments.trajectories, arguments.scenario, arguments.instance,
-                                      arguments.frame_rate)
-    else:
-        with tempfile.TemporaryDirectory(prefix='social_crowd_') as folder:
-            is_place = pathlib.Path(arguments.scenario).stem.startswith('place_')  # as in demo.launch
-            table = find_config() / 'q_tables' / ('human.txt' if is_place else 'anticipation.txt')
-            seed = 1 if arguments.seed is None else arguments.seed
-            scene, tracks = walk(arguments.scenario, find_tools(arguments.tools) / 'evaluate',
-                                 arguments.q_table or table, seed, arguments.robot or ROBOT, pathlib.Path(folder))
+    scene, tracks = read_source(arguments, 'film')
     title = (scene.name or arguments.trajectories.stem) if arguments.title is None else arguments.title
     settings = Settings(arguments.output, title, arguments.start, arguments.duration, arguments.speed, arguments.fps,
                         arguments.size, arguments.max_size, arguments.view)
@@ -147,19 +122,8 @@ def main(words=None):
     parser = parser_of('film', 'Makes a film of a scenario: GIF, WebP or MP4. Needs neither a display nor ROS running.',
                        EXAMPLES)
     add = parser.add_argument
-    add('scenario', nargs='?', metavar='SCENARIO', help='a scenario file, or a name in config/scenarios; not required '
-        'with --trajectories')
+    add_source(parser)
     add_file(parser, '--output', required=True, help='FILE.gif, FILE.webp or FILE.mp4')
-    add_file(parser, '--q-table', help='Q-table (default: human for scenarios place_*, else anticipation)')
-    add('--seed', type=whole, metavar='N', help='seed of the episode (default: 1)')
-    add('--robot', metavar='CONTROLLER', help=f'of robots, see evaluate --help (default: {ROBOT})')
-    add_file(parser, '--trajectories', help="show this recording: CSV of evaluate, its --robot-log, JuPedSim's text "
-                                            "format, or obsmat.txt")
-    add('--frame-rate', type=above_zero, metavar='HZ', help='of the recording, in place of that in the file')
-    add('--instance', type=whole, metavar='N', help='episode of the recording (default: the first)')
-    add('--start', type=at_least_zero, default=0.0, metavar='S', help='simulated time of the first frame [s]')
-    add('--duration', type=above_zero, default=float('inf'), metavar='S',
-        help='simulated time that is shown [s] (default: to the end)')
     add('--speed', type=above_zero, default=Settings.speed, metavar='X',
         help='simulated seconds in a second of the film (default: %(default)g)')
     add('--fps', type=above_zero, default=Settings.fps, metavar='N',
@@ -169,17 +133,12 @@ def main(words=None):
     add('--max-size', type=above_zero, default=float('inf'), metavar='MB',
         help='greatest size of the file [MB]; a larger film is made again with fewer pixels')
     add('--title', help="title of the film (default: the scenario's name)")
-    add_tools(parser, 'evaluate')
     arguments = parser.parse_args(words)
     if arguments.view and not (arguments.view[0] < arguments.view[2] and arguments.view[1] < arguments.view[3]):
         parser.error('--view: expected X0 < X1 and Y0 < Y1')
     if arguments.output.suffix.lower() not in WRITERS:
         parser.error(f"--output: expected a name with {', '.join(WRITERS)}, got '{arguments.output}'")
-    if not (arguments.scenario or arguments.trajectories):
-        parser.error('expected a SCENARIO or --trajectories')
-    for name, value in (('--q-table', arguments.q_table), ('--seed', arguments.seed), ('--robot', arguments.robot)):
-        if arguments.trajectories and value is not None:
-            parser.error(f'{name}: a recording is not walked again; expected either {name} or --trajectories')
+    check_source(parser, arguments)
     try:
         produce(arguments)
     except KeyboardInterrupt:

@@ -2,13 +2,12 @@
 Each test has a ROS master of its own."""
 import json
 import os
-import pathlib
 import random
-import shutil
 import subprocess
 
 import pytest
 from crowd_launching.program import free_port
+from node_packages import install_clients
 from programs import PATIENCE, in_package, wait_for
 from ros_crowds import Ros, environment_of
 from web_clients import BAD_COMMANDS, Page, memory_of, run, start_server, wait_for_url
@@ -26,13 +25,8 @@ def ros(runner):
 @pytest.fixture(scope='session')
 def node_clients(tmp_path_factory):
     """A folder with the clients of test/web and the packages that they use."""
-    if shutil.which('npm') is None:
-        pytest.skip('npm is not installed')
     folder = tmp_path_factory.mktemp('web')
-    for file in pathlib.Path(in_package('test', 'web')).glob('*[nsc]'):  # .json, .mjs, .npmrc
-        if file.is_file():
-            shutil.copy(file, folder)
-    subprocess.run(['npm', 'ci', '--no-audit', '--no-fund'], cwd=folder, check=True, timeout=4 * PATIENCE)
+    install_clients(folder)
     return folder
 
 

@@ -1,0 +1,1 @@
+"""Runs as animated figures: glTF, BVH and CSV."""
