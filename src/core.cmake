@@ -26,7 +26,7 @@ if(NOT RECAST_INCLUDE_DIR OR NOT RECAST_LIBRARY OR NOT DETOUR_LIBRARY)
     "Recast and Detour are missing; in Debian 12 and Ubuntu from 22.04 on: apt-get install librecast-dev, else scripts/install_libraries")
 endif()
 # Highway is used for the kernels with vector instructions; without it, scalar kernels are built.
-find_package(hwy QUIET CONFIG)
+find_package(hwy 1.0 QUIET CONFIG)
 option(SOCIAL_CROWD_HIGHWAY "Use Highway for vector instructions, if it is installed" ON)
 
 add_library(${PROJECT_NAME}_warnings INTERFACE)
@@ -53,7 +53,7 @@ if(hwy_FOUND AND SOCIAL_CROWD_HIGHWAY)
   set_source_files_properties(${REPOSITORY}/src/simd/kernels.cpp PROPERTIES COMPILE_DEFINITIONS CROWD_HIGHWAY)
   target_link_libraries(${PROJECT_NAME}_core PRIVATE hwy::hwy)
 else()
-  message(STATUS "${PROJECT_NAME}: without vector instructions, as Highway is not installed (in Debian: libhwy-dev)")
+  message(STATUS "${PROJECT_NAME}: without vector instructions, as Highway 1.0 is not installed (in Debian: libhwy-dev)")
 endif()
 # The kernels include themselves once for each processor. The list of state sets is often changed.
 set_source_files_properties(
