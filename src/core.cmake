@@ -44,7 +44,8 @@ endforeach()
 add_library(${PROJECT_NAME}_core ${CORE_SOURCES} ${REPOSITORY}/src/simd/kernels.cpp ${REPOSITORY}/src/simd/reference.cpp)
 # Fused operations are disabled, so that results are the same on every processor. errno and floating-point exceptions are
 # not used; disabling them allows the vectorisation of loops with square roots and comparisons.
-set(CORE_OPTIONS -ffp-contract=off -fno-math-errno -fno-trapping-math -fno-semantic-interposition)
+set(CORE_OPTIONS -ffp-contract=off -fno-math-errno -fno-trapping-math
+  $<$<NOT:$<PLATFORM_ID:Emscripten>>:-fno-semantic-interposition>)
 target_compile_options(${PROJECT_NAME}_core PRIVATE ${CORE_OPTIONS})
 target_include_directories(${PROJECT_NAME}_core SYSTEM PRIVATE
   ${RECAST_INCLUDE_DIR} ${RECAST_INCLUDE_DIR}/recastnavigation)  # RecastAlloc.h includes <RecastAssert.h>
