@@ -7,7 +7,6 @@ FLOAT, BYTE, SHORT, UNSIGNED_SHORT = 5126, 5121, 5122, 5123
 NUMBERS = {'float32': FLOAT, 'uint8': BYTE, 'int16': SHORT, 'uint16': UNSIGNED_SHORT}
 TYPES = {1: 'SCALAR', 3: 'VEC3', 4: 'VEC4', 16: 'MAT4'}
 VERTICES, INDICES = 34962, 34963  # what a part of the buffer is for
-LINES = 'translation', 'rotation', 'scale'  # animated properties of a node
 
 
 class Document:
@@ -28,8 +27,7 @@ class Document:
         return len(entries) - 1
 
     def accessor(self, values, target=None, with_limits=False):
-        """Adds an array; int16 and uint8 with 4 columns, for weights, are shares of the greatest number if they are
-        rotations or weights. Returns the number of its accessor."""
+        """Adds an array; int16 are shares of 32767. Returns the number of its accessor."""
         values = numpy.ascontiguousarray(values)
         width = values.shape[1] if values.ndim == 2 else 1
         key = target, values.itemsize * width

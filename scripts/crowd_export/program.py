@@ -12,7 +12,8 @@ from .gltf import Document
 from .people import person_of
 from .scenery import Scenery
 
-LEAST_FRAMES = 2  # of a person
+LEAST_FRAMES, MOST_FRAMES = 2, 5_000_000  # of a person; of all, in 5 GB of memory
+FARTHEST = 1e5  # [m]: places in glTF are 32-bit floats
 rate = number_type(float, lambda number: 10 <= number <= 240, 'a number from 10 to 240')
 EXAMPLES = '''Metres. glTF and BVH: y up; x, y of the map are x, -z. CSV: as the map, z up. docs/export.md has more.
 
@@ -32,9 +33,14 @@ def people_of(scene, tracks, start, duration, fps):
     ends += [robot['track'].times[-1] for robot in scene.robots if 'track' in robot]
     last = int(numpy.floor((min(start + duration, max(ends)) - start) * fps + 1e-6))
     if last < 1:
-        raise InputError(f'--start: the recording ends at {max(ends):g} s, got {start:g}')
+        raise InputError(f'--start: the recording ends at {max(ends):g} s, expected a time before, got {start:g}')
+    if last * len(everybody) > MOST_FRAMES:
+        raise InputError(f'{last} frames of {len(everybody)} people are too many, expected at most {MOST_FRAMES} in '
+                         'all; give a shorter --duration, or a lower --fps')
     people, bar = [], ProgressBar(len(everybody), len(everybody), 'people')
     for name, number, track, figure, recorded in everybody:
+        if numpy.abs(track.places).max() > FARTHEST:
+            raise InputError(f'{name} is farther than {FARTHEST:g} m from the origin of the map')
         track = track._replace(times=track.times - start)
         first = max(0, int(numpy.ceil(track.times[0] * fps - 1e-6)))
         end = min(last, int(numpy.floor(track.times[-1] * fps + 1e-6)))
@@ -42,6 +48,8 @@ def people_of(scene, tracks, start, duration, fps):
             people.append(person_of(name, number, track, figure, recorded, numpy.arange(first, end + 1) / fps))
         bar.add(1)
     bar.end()
+    if not people and not scene.robots:
+        raise InputError(f'nobody is there for {LEAST_FRAMES} frames from {start:g} s on')
     return people, numpy.arange(last + 1) / fps
 
 

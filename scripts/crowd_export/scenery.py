@@ -24,7 +24,8 @@ class Scenery:
         walls = [wall_between(*wall, self.wall_height) for wall in scene.walls]
         if scene.map is not None:
             walls += boxes_of(scene.map, self.wall_height)
-        places = [person.places() for person in people] + [numpy.array(wall)[..., :2].reshape(-1, 2) for wall in walls]
+        places = [person.places() for person in people] + [wall[..., :2].reshape(-1, 2) for wall in walls]
+        places += [robot['track'].places for robot in scene.robots if 'track' in robot]
         places = numpy.concatenate(places)
         low, high = places.min(axis=0) - MARGIN, places.max(axis=0) + MARGIN
         self.static('floor', box((*low, -0.05), (*high, 0.0)), FLOOR)
@@ -42,9 +43,9 @@ class Scenery:
                 headings = numpy.array([robot['track'].heading_at(start + time) for time in self.times])
                 self.moving(f'robot_{number}', robot_shape(robot['radius']), ROBOT, ways, headings)
 
-    def mesh(self, name, shape, colour, turn=floor):
+    def mesh(self, name, shape, colour):
         points, normals, indices = smoothed(shape)
-        primitive = self.document.primitive(turn(points), turn(normals), indices)
+        primitive = self.document.primitive(floor(points), floor(normals), indices)
         return self.document.add('meshes', {'name': name, 'primitives': [
             {**primitive, 'material': self.document.material(name, colour)}]})
 

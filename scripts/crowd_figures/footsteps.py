@@ -20,7 +20,6 @@ SMOOTHING, TURN_SMOOTHING = 0.12, 0.25  # standard deviations of the path and of
 TOLERANCE = 0.05  # greatest distance of the smoothed path from the recorded one [m]
 MARGIN = 1.5  # time before and after the recording in which people walk straight on [s]
 ENDS = 0.3  # part of the recording that gives the velocity then [s]
-IS_STILL = 0.1  # [m/s]
 
 
 class Body(typing.NamedTuple):

@@ -25,6 +25,7 @@ PROGRAMS = {
                    ['--trajectories', 'FILE', '--scenario', CIRCLE6, '--output', 'a.png'], PATHS),
     'plot_learning': ('crowd_curves.program', ['FILE', '--output', 'a.png'], LOG),
     'film': ('crowd_film.program', ['--trajectories', 'FILE', CIRCLE6, '--output', 'a.gif'], PATHS),
+    'export': ('crowd_export.program', ['--trajectories', 'FILE', '--gltf', 'a.glb'], PATHS),
     'report': ('crowd_report.program', ['FILE', '--output', 'a.html'], PATHS),
     'report_training': ('crowd_report.program', ['--training', 'FILE', '--output', 'a.html'], LOG),
     'realism': ('crowd_realism.program', ['FILE'], OBSMAT),

@@ -183,6 +183,18 @@ class ProgramTest:
         assert status == 0, output
         assert_says(output, 'walking circle6', '6 people, 2 s, 30 frames a second', 'a.glb: 0.')
 
+    @pytest.mark.parametrize('rows, words', [
+        ('0,0,0,1,2\n', 'the recording ends at 0 s'),
+        ('0,0,0,1,2\n0,900000000,0,2,2\n', 'shorter --duration'),
+        ('0,0,0,1e300,2\n0,10,0,2,2\n', 'person_0 is farther than 100000 m'),
+    ])
+    def test_recordings_that_cannot_be_shown(self, runner, rows, words):
+        runner.write('a.csv', 'instance,tick,agent,x,y\n' + rows)
+        status, output = export(runner.folder, '--trajectories', 'a.csv', '--gltf', 'a.glb')
+        assert status == 1, output
+        assert_says(output, words)
+        assert os.listdir(runner.folder) == ['a.csv']
+
     @pytest.mark.parametrize('status, arguments, words', [
         (2, ['circle6'], ['expected --gltf, --bvh or --csv']),
         (2, ['--gltf', 'a.glb'], ['expected a SCENARIO or --trajectories']),
