@@ -62,6 +62,7 @@ NOT_RUN = {
     'catkin_make': 'builds a workspace',
     'scripts/package': 'builds everything once more',
     'scripts/test': 'runs this test',
+    'scripts/web build': 'downloads sources',
     'rosrun social_crowd drive_robots --config FOLDER --robots-csv mine.csv': 'needs move_base; robot_benchmark_test',
     'scripts/demo': 'builds, which would change the programs under test',
     'scripts/demo scenario:=circle12 real_time_factor:=4': 'the same',

@@ -99,11 +99,13 @@ class WorkerTest:
         assert frame['tick'] == 4 and frame['time'] == crowd.time
         assert frame['x'] == pytest.approx(crowd.positions[0, 0], abs=1e-6)
 
-    def test_it_plays_until_the_episode_is_over(self, web):
-        *_, played, again = talk(web, {'command': 'speed', 'factor': 0}, {'command': 'play'}, {'until': 40},
-                                 {'command': 'pause'})
+    def test_it_plays_until_a_pause(self, web):
+        *_, played, paused, later, stepped = talk(web, {'command': 'speed', 'factor': 0}, {'command': 'play'},
+                                                  {'until': 40}, {'command': 'pause'}, {'later': True},
+                                                  {'command': 'step'})
         assert [message['tick'] for message in played if message['type'] == 'frame'][-1] >= 40
-        assert not only(again, 'status')['playing']
+        assert not only(paused, 'status')['playing'] and later == []
+        assert stepped[-1]['tick'] == only(paused, 'status')['tick'] + 1
 
     def test_changes_of_the_world(self, web):
         commands = [{'command': 'add_agent', 'position': [9, 9], 'goal': [-9, 9]},

@@ -1,5 +1,6 @@
 // Runs the worker of the page in node. Prints as JSON the answers to each command, the greeting first.
-// Arguments: social_crowd.js; a JSON list of commands, in which {"until": TICK} waits for a tick of a crowd that plays
+// Arguments: social_crowd.js; a JSON list of commands, in which {"until": TICK} waits for a tick of a crowd that plays, and
+// {"later": true} until what was to be done at once is done
 const {readFileSync} = require('node:fs');
 
 const [file, commands] = process.argv.slice(2);
@@ -48,6 +49,8 @@ async function main() {
     answers = [];
     if (command?.until !== undefined) {
       await until(({type, tick}) => type === 'frame' && tick >= command.until);
+    } else if (command?.later) {
+      await new Promise((resolve) => setTimeout(resolve));
     } else {
       self.onmessage({data: command});
     }

@@ -59,6 +59,7 @@ export class WasmSource {
     },
     pause: () => {
       this.isPlaying = false;
+      this.schedule();
       this.show(true);
     },
     step: ({ticks}) => {
@@ -124,6 +125,7 @@ export class WasmSource {
     this.showScene();
   }
 
+  /** Walks when the next tick is due, or not at all in a pause. */
   private schedule(): void {
     clearTimeout(this.timer);
     if (this.isPlaying) {
