@@ -63,6 +63,8 @@ NOT_RUN = {
     'scripts/package': 'builds everything once more',
     'scripts/test': 'runs this test',
     'scripts/web build': 'downloads sources',
+    'roslaunch social_crowd web.launch': 'has a fixed port; web_ros_test',
+    'rosrun social_crowd web_server place_office': 'the same; web_server_test',
     'rosrun social_crowd drive_robots --config FOLDER --robots-csv mine.csv': 'needs move_base; robot_benchmark_test',
     'scripts/demo': 'builds, which would change the programs under test',
     'scripts/demo scenario:=circle12 real_time_factor:=4': 'the same',
