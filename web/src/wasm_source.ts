@@ -67,7 +67,7 @@ export class WasmSource {
         throw new Error(this.isPlaying ? 'expected a pause before' : 'the episode is over');
       }
       for (let i = 0; i < ticks && this.crowd.step(); ++i) {
-        this.show(i === ticks - 1);
+        this.show(false);
       }
       this.show(true);
     },
