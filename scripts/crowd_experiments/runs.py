@@ -136,8 +136,10 @@ class Runner:
         bar = ProgressBar(sum(run.cost for run in runs), len(runs))
         bar.show()
         with concurrent.futures.ThreadPoolExecutor(self.processes) as pool:
-            futures = {pool.submit(self.carry_out_one, run): run for run in runs}
+            futures = {}
             try:
+                for run in runs:  # may be interrupted, too: the first run may be done before the last one is here
+                    futures[pool.submit(self.carry_out_one, run)] = run
                 waiting = set(futures)
                 while waiting:
                     done, waiting = concurrent.futures.wait(waiting, 1.0, concurrent.futures.FIRST_COMPLETED)

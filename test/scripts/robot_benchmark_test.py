@@ -284,7 +284,7 @@ class WorstEpisodesTest:
         columns = ['success', 'time_to_reach_goal', 'people_contacts', 'personal_space_time']
         values = {('a', '0'): '1,9,0,5', ('a', '1'): '1,9,1,1', ('b', '0'): '0,nan,0,3', ('b', '1'): '1,9,0,9',
                   ('c', '0'): '1,9,2,0', ('d', '0'): '1,9,0,1'}
-        rows = [Row(0, Identity(*(['x'] * 11), episode, scene), text.split(','))
+        rows = [Row(0, Identity(*(['x'] * 10), episode, scene), text.split(','))
                 for (scene, episode), text in values.items()]
         found = [(row.identity.scenario, row.identity.episode) for row, _ in worst_rows(columns, rows)]
         assert found == [('c', '0'), ('a', '1'), ('b', '0'), ('d', '0')]
@@ -400,7 +400,7 @@ class RobotBenchmarkTest:
     @pytest.mark.parametrize('text, said', [
         ('episode,scenario\n', 'expected results of robot_benchmark, with the columns hash,package,'),
         (','.join(Identity._fields) + ',robot\n', 'has no rows'),
-        (','.join(Identity._fields) + ',robot\na,b\n', 'file.csv:2: expected 14 values, got 2')])
+        (','.join(Identity._fields) + ',robot\na,b\n', 'file.csv:2: expected 13 values, got 2')])
     def test_files_that_cannot_be_verified(self, runner, text, said):
         refused = self.verify(runner, runner.write('file.csv', text))
         assert refused.wait() == 1, refused.output()
