@@ -36,10 +36,19 @@ Episode episodeOf(Scene scene, const Vision& vision, std::uint64_t number = EPIS
   return {std::move(scene), number, vision};
 }
 
-/// Reference: decisions of Learner::decide() for the perceptions of all agents, in order of the agents.
+/// Reference: decisions of Learner::decide() for the perceptions of all agents, in order of the agents. Requires the
+/// same decisions, and what the last agent chose, of three threads.
 std::vector<Decision> decideAtOnce(Episode& episode, Learner& learner) {
+  const Perceptions& perceptions = episode.perceptions();
   RelativeActions actions;
-  learner.decide(episode.perceptions(), actions);
+  learner.decide(perceptions, actions);
+  const AgentId last = actions.agents.back().agent;
+  const Action chosen = learner.valuesOf(perceptions, actions, last)->chosen;
+  ThreadPool thread_pool(3);
+  RelativeActions shared;
+  learner.decide(perceptions, shared, thread_pool);
+  EXPECT_EQ(toDecisions(shared.agents), toDecisions(actions.agents));
+  EXPECT_EQ(learner.valuesOf(perceptions, shared, last)->chosen, chosen);
   return toDecisions(actions.agents);
 }
 
