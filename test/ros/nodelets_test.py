@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """Controller, learner and markers as nodelets: same behaviour as the nodes, loading and unloading."""
 import os
+import re
+import signal
 import xmlrpc.client
 
 import rosgraph
@@ -18,6 +20,13 @@ LOADER = ['rosrun', 'nodelet', 'nodelet']
 NODELET = [os.environ['CROWD_NODELET']] if 'CROWD_NODELET' in os.environ else LOADER
 
 
+def catches_interrupt(pid):
+    """Returns whether a process is the loading program and has a handler of SIGINT, which it gets after the loading."""
+    status = support.read_text(f'/proc/{pid}/status')
+    caught = int(re.search(r'SigCgt:\s*(\w+)', status).group(1), 16)
+    return 'Name:\tnodelet\n' in status and bool(caught >> (signal.SIGINT - 1) & 1)
+
+
 def children(message):
     """Returns the child frames in a message of tf."""
     return {frame.child_frame_id for frame in message.transforms}
@@ -31,22 +40,19 @@ class NodeletTestCase(support.CrowdTestCase):
         self.manager = self.start('manager', NODELET + ['manager', '__name:=manager'])
 
     def load(self, kind, name='', **parameters):
-        """Starts the process that loads a nodelet, and unloads it when it ends."""
+        """Starts the process that loads a nodelet, and unloads it when it is interrupted. Waits until it has loaded it:
+        an interrupt before would end it without unloading."""
         name = name or kind
         for key, value in parameters.items():
             rospy.set_param(f'{self.namespace}/{name}/{key}', value)
-        return self.start(f'load_{name}', LOADER + ['load', f'social_crowd/{kind}', 'manager', f'__name:={name}'])
+        loader = self.start(f'load_{name}', LOADER + ['load', f'social_crowd/{kind}', 'manager', f'__name:={name}'])
+        support.wait_for(lambda: not loader.is_running() or catches_interrupt(loader.process.pid), loader.name)
+        return loader
 
     def load_controller(self, scenario=SCENARIO, **parameters):
         """Loads a controller with long deadlines."""
         patient = {'scenario': scenario, 'real_time_factor': 'fast', 'start_deadline': 120.0, 'answer_deadline': 60.0}
         return self.load('crowd_controller', **dict(patient, **parameters))
-
-    def wait_loaded(self, name):
-        """Waits until a nodelet is loaded: then the loading process is connected to the manager."""
-        signs = self.listen('manager/bond', rospy.AnyMsg)
-        full_name = f'{self.namespace}/{name}'
-        signs.wait(lambda sign: sign._connection_header['callerid'] == full_name, f'of {name}')
 
     def publishers(self, topic):
         """Returns the names of the nodes that publish a topic."""
@@ -57,9 +63,14 @@ class NodeletTestCase(support.CrowdTestCase):
         """Checks that the manager still runs, and that it ends properly after all nodelets are unloaded."""
         self.assertTrue(self.manager.is_running(), self.manager.output())
         for loader in self.processes[1:]:
-            loader.stop()
+            if loader.is_running():
+                self.assertEqual(loader.stop(), 0, loader.name)
         # The manager unloads in a thread of its own, and cannot be interrupted meanwhile.
-        support.wait_for(lambda: not self.publishers('actions') + self.publishers('agents'), 'the unloading')
+        try:
+            support.wait_for(lambda: not self.publishers('actions') + self.publishers('agents'), 'the unloading')
+        except AssertionError as error:
+            left = {topic: self.publishers(topic) for topic in ('actions', 'agents')}
+            self.fail(f'{error}; publishers: {left}\n{self.outputs()}')
         self.assertEqual(self.manager.stop(), 0)
 
 
@@ -141,7 +152,6 @@ class DemoTest(NodeletTestCase):
     def test_ticks_are_passed_by_pointer(self):
         """roscpp counts the bytes of serialised messages; there are none for pointers."""
         self.load('learner', q_table=support.NEAREST_TABLE)
-        self.wait_loaded('learner')
         self.load_controller(paused=True)
         self.step(1)  # what is sent to a new subscriber is serialised
         topics = ('perceptions', 'actions')
@@ -158,7 +168,6 @@ class DemoTest(NodeletTestCase):
         agents = {'learner_a': [0, 1, 2], 'learner_b': [3, 4, 5]}
         for name, served in agents.items():
             self.load('learner', name, q_table=support.NEAREST_TABLE, agents=served)
-            self.wait_loaded(name)
         self.load_controller(support.CIRCLE6, paused=True)
         self.step(1)  # what is sent to a new subscriber is serialised
         topics = [f'perceptions{self.namespace}/{name}' for name in agents]
@@ -218,7 +227,6 @@ class LoadingTest(NodeletTestCase):
     def test_learner_is_unloaded_and_loaded_again(self):
         agents = self.listen('agents', AgentStates)
         learner = self.load('learner', q_table=support.NEAREST_TABLE)
-        self.wait_loaded('learner')
         self.load_controller(support.CIRCLE6, paused=True)
         agents.wait_connected()
         self.step(3)
@@ -237,7 +245,6 @@ class LoadingTest(NodeletTestCase):
         status = self.listen('learner_status', LearnerStatus)
         for _ in range(2):
             controller = self.load_controller()
-            self.wait_loaded('crowd_controller')
             self.assertEqual(controller.stop(), 0)
             self.assertEqual(self.publishers('perceptions'), [])
         self.load('learner', q_table=support.NEAREST_TABLE)
