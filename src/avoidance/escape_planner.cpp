@@ -1,6 +1,8 @@
 #include "avoidance/escape_planner.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "avoidance/time_to_collision.h"
@@ -47,7 +49,10 @@ void EscapePlanner::findMovingObstacles() {
   };
   for (std::size_t i = 0; i < perception_.neighbours.size(); ++i) {
     const Neighbour neighbour = perception_.neighbours[i];
-    if (!isMovingObstacle(neighbour) || soonestContact(perception_.self, neighbour) > lookout_) continue;
+    if (!isMovingObstacle(neighbour)) continue;
+    if (movers_end_ == 0) movers_begin_ = i;
+    movers_end_ = i + 1;
+    if (soonestContact(perception_.self, neighbour) > lookout_) continue;
     const auto end = moving_obstacles_.begin() + static_cast<std::ptrdiff_t>(moving_obstacle_count_);
     const auto place = std::upper_bound(moving_obstacles_.begin(), end, i, later);
     if (place == moving_obstacles_.end()) continue;
@@ -101,7 +106,7 @@ double EscapePlanner::blockedAfter(const Vector2& start, const Vector2& velocity
 /// Time until the agent comes within the clearance of a moving obstacle at a velocity [s].
 double EscapePlanner::timeToTouch(const Vector2& velocity, const Case& a_case) const {
   double time = NEVER;
-  for (std::size_t i = 0; i < perception_.neighbours.size(); ++i) {
+  for (std::size_t i = movers_begin_; i < movers_end_; ++i) {
     const Neighbour neighbour = perception_.neighbours[i];
     if (!isMovingObstacle(neighbour)) continue;
     const double reach = perception_.self.radius + neighbour.radius + CLEARANCE;
@@ -112,10 +117,12 @@ double EscapePlanner::timeToTouch(const Vector2& velocity, const Case& a_case) c
 
 /// Time for which an agent stays clear of moving obstacles if it walks straight on from `start`, its position after one
 /// tick, and stops where it is blocked [s].
-double EscapePlanner::clearTimeFrom(const Vector2& start, const Vector2& velocity, const Case& a_case) const {
-  const double blocked = velocity == Vector2::Zero() ? NEVER : blockedAfter(start, velocity);
+double EscapePlanner::clearTimeFrom(std::size_t path, const Vector2& start, const Vector2& velocity,
+                                    const Case& a_case) {
+  double& blocked = blocked_[path];
+  if (std::isnan(blocked)) blocked = velocity == Vector2::Zero() ? NEVER : blockedAfter(start, velocity);
   double clear = NEVER;
-  for (std::size_t i = 0; i < perception_.neighbours.size(); ++i) {
+  for (std::size_t i = movers_begin_; i < movers_end_; ++i) {
     const Neighbour neighbour = perception_.neighbours[i];
     if (!isMovingObstacle(neighbour)) continue;
     const double reach = perception_.self.radius + neighbour.radius + a_case.clearance;
@@ -136,20 +143,20 @@ Vector2 EscapePlanner::lag(const Vector2& from, const Vector2& to) const {
 }
 
 /// Longest time for which a straight path after the move is clear of moving obstacles, at most `lookout` [s].
-double EscapePlanner::clearTime(const CandidateMove& move, Case& a_case) const {
+double EscapePlanner::clearTime(const CandidateMove& move, Case& a_case) {
   const double tick = perception_.tick_duration;
   const Vector2 wanted = velocityOf(move);
   const Vector2 velocity = perception_.motion.reachable(perception_.self.velocity, wanted, tick);
   const double touched = timeToTouch(velocity, a_case);
   if (touched < tick) return touched;
   const Vector2 end = tick * velocity;
-  double longest = tick + clearTimeFrom(end + lag(velocity, wanted), wanted, a_case);
+  double longest = tick + clearTimeFrom(straight_move_count_, end + lag(velocity, wanted), wanted, a_case);
   for (std::size_t i = 0; i < straight_move_count_ && longest < lookout_; ++i) {
     // The last escape is likely to be one for this move, too: the positions differ little.
     const std::size_t next = (a_case.last_path + i) % straight_move_count_;
     const CandidateMove straight = straightMove(next);
     const Vector2 onwards = straight.wanted * perception_.self.max_speed * straight.direction;
-    longest = std::max(longest, tick + clearTimeFrom(end + lag(velocity, onwards), onwards, a_case));
+    longest = std::max(longest, tick + clearTimeFrom(next, end + lag(velocity, onwards), onwards, a_case));
     if (longest >= lookout_) a_case.last_path = next;
   }
   return std::min(longest, lookout_);
@@ -159,6 +166,7 @@ double EscapePlanner::clearTime(const CandidateMove& move, Case& a_case) const {
 /// safe move. So a violation of the wide clearance ranks above a collision with an obstacle that reverses, and this one
 /// above a collision with an obstacle that keeps its velocity.
 double EscapePlanner::safety(const CandidateMove& move) {
+  std::fill_n(blocked_.begin(), straight_move_count_ + 1, std::numeric_limits<double>::quiet_NaN());
   const double as_they_go = clearTime(move, as_they_go_);
   if (as_they_go < lookout_) return as_they_go;
   double if_one_turns = lookout_;

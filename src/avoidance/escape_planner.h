@@ -63,21 +63,26 @@ class EscapePlanner {
     return move.fraction * perception_.self.max_speed * move.direction;
   }
   double safety(const CandidateMove& move);
-  double clearTime(const CandidateMove& move, Case& a_case) const;
+  double clearTime(const CandidateMove& move, Case& a_case);
   double timeToTouch(const Vector2& velocity, const Case& a_case) const;
   Vector2 lag(const Vector2& from, const Vector2& to) const;
-  double clearTimeFrom(const Vector2& start, const Vector2& velocity, const Case& a_case) const;
+  double clearTimeFrom(std::size_t path, const Vector2& start, const Vector2& velocity, const Case& a_case);
   double blockedAfter(const Vector2& start, const Vector2& velocity) const;
   CandidateMove straightMove(std::size_t i) const { return moveAt(straight_moves_.data(), i); }
   CandidateMove bestStraightMove(const Vector2& preferred_velocity) const;
 
   const Perception& perception_;
   double lookout_;
+  std::size_t movers_begin_ = 0;  // all moving obstacles are among these neighbours
+  std::size_t movers_end_ = 0;
   std::array<std::size_t, MAX_MOVING_OBSTACLES> moving_obstacles_{};  // indices of neighbours
   std::size_t moving_obstacle_count_ = 0;
   std::array<MoveBlock, blocksOf(MAX_STRAIGHT_MOVES)> straight_moves_;
   std::array<double, MAX_STRAIGHT_MOVES> safeties_{};
   std::size_t straight_move_count_ = 0;
+  // Of the present move: how soon the straight paths from its end, and at last its own, are blocked, which is the same
+  // in all cases [s]; NaN: not known yet.
+  std::array<double, MAX_STRAIGHT_MOVES + 1> blocked_{};
   Case as_they_go_;
   std::array<Case, MAX_MOVING_OBSTACLES> if_turned_;
   Case with_space_;
