@@ -72,6 +72,13 @@ struct RobotState {
   bool in_contact = false;  ///< with people, in the last tick
 };
 
+/// @brief What the laser scanner of a robot reports between two ticks.
+struct RobotScan {
+  double first_angle = 0.0;   ///< of the first ray, robot frame [rad]
+  double increment = 0.0;     ///< between two rays [rad]
+  std::vector<float> ranges;  ///< with the noise of the scenario; infinite or NaN as in REP 117 [m]
+};
+
 /// @brief Decides for all agents whose turn it is; agents without an action stay. Called in the thread of
 /// Episode::walk(), once in each tick, with `order: sequential` once for each agent in it, and once more with `last`
 /// set when the episode is over.
@@ -113,6 +120,8 @@ class Episode {
   /// @brief The same as arrays. @param arrays are overwritten; their memory is reused
   void agents(AgentArrays& arrays) const;
   std::vector<RobotState> robots() const;
+  /// @brief The scan of a robot now. @param robot its index @throws InputError if there is no such robot
+  RobotScan scan(std::uint32_t robot);
   /// @brief The walls by their ids, `map`; those of the scenario have the ids 0, 1, 2 ...
   std::map<std::size_t, Wall> walls() const;
   EpisodeResult result() const;

@@ -1,5 +1,6 @@
 """What all back ends of the page have in common: its clients, and when they get what."""
 import base64
+import math
 import struct
 
 import numpy
@@ -56,6 +57,12 @@ def obstacles_of(rows):
 def walls_of(ids, rows):
     """Returns walls as a scene has them. rows: x, y of both ends of each [m]"""
     return [{'id': wall, 'from': row[:2], 'to': row[2:]} for wall, row in zip(ids, numpy.round(rows, PLACES).tolist())]
+
+
+def scan_of(first_angle, increment, ranges):
+    """Returns the scan of a robot. ranges: infinite or NaN where nothing was seen [m]"""
+    return {'angle_min': first_angle, 'angle_increment': increment,
+            'ranges': [round(distance, 3) if math.isfinite(distance) else None for distance in ranges]}
 
 
 class KnownAgents:

@@ -9,7 +9,7 @@ import social_crowd
 from crowd_drawing.errors import InputError
 from crowd_web.page_commands import heading_towards
 from crowd_web.page_source import (IN_CONTACT, KnownAgents, PageSource, bounds_of, corners_of, frame_of, map_of,
-                                   obstacles_of, walls_of)
+                                   obstacles_of, scan_of, walls_of)
 
 WALKING = 0  # status of an agent
 LATEST = 0.5  # [s] by which ticks may be behind real time and still catch up
@@ -18,6 +18,13 @@ LATEST = 0.5  # [s] by which ticks may be behind real time and still catch up
 def table_of(scenario):
     """Returns the name of the Q-table with which demo.launch shows a scenario."""
     return 'human' if pathlib.Path(scenario).stem.startswith('place_') else 'anticipation'
+
+
+def robots_of(crowd):
+    """Returns the robots of a crowd, with their scans."""
+    scans = [crowd.scan(i) for i in range(len(crowd.robots))]
+    return [dict(robot, scan=scan_of(scan['first_angle'], scan['increment'], scan['ranges'].tolist()))
+            for robot, scan in zip(crowd.robots, scans)]
 
 
 class PythonSource(PageSource):
@@ -83,7 +90,7 @@ class PythonSource(PageSource):
         crowd = self.crowd
         view = types.SimpleNamespace(
             tick=crowd.tick, time=crowd.time, tick_duration=crowd.tick_duration, is_over=crowd.is_over,
-            robots=crowd.robots, obstacles=crowd.obstacles, arrived=crowd.arrived,
+            robots=robots_of(crowd), obstacles=crowd.obstacles, arrived=crowd.arrived,
             minds=[dict(mind, agent=agent, tick=crowd.tick) for agent, mind in (
                 (agent, crowd.mind(agent)) for agent in agents) if mind])
         for name in ('ids', 'positions', 'headings', 'velocities', 'statuses', 'in_contact', 'goals', 'radii'):
@@ -99,8 +106,8 @@ class PythonSource(PageSource):
         self.show_status()
         self.agents.offer(KnownAgents(view.ids, view.radii, view.goals))
         if view.robots:
-            self.robots.offer(view.tick, [{'name': robot['name'], 'pose': robot['pose'], 'goal': robot['goal'],
-                                           'scan': None} for robot in view.robots])
+            self.robots.offer(view.tick, [{key: robot[key] for key in ('name', 'pose', 'goal', 'scan')}
+                                          for robot in view.robots])
         if last is not None and not numpy.array_equal(view.obstacles, last.obstacles):
             self.obstacles.offer(view.tick, view.obstacles)
         if view.minds:

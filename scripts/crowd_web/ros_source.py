@@ -5,7 +5,7 @@ import math
 import numpy
 from crowd_web.agent_states import AgentStates, tick_of
 from crowd_web.page_source import (IN_CONTACT, PLACES, KnownAgents, PageSource, bounds_of, corners_of, frame_of, map_of,
-                                   obstacles_of, walls_of)
+                                   obstacles_of, scan_of, walls_of)
 from crowd_web.ros_commands import RosCommands
 from nav_msgs.msg import OccupancyGrid
 from rosgraph.names import ns_join
@@ -163,9 +163,7 @@ class RosSource(RosCommands, PageSource):
 
     def take_scan(self, name, data):
         scan = read(LaserScan, data)
-        self.scans[name] = {
-            'angle_min': scan.angle_min, 'angle_increment': scan.angle_increment,
-            'ranges': [round(distance, 3) if math.isfinite(distance) else None for distance in scan.ranges]}
+        self.scans[name] = scan_of(scan.angle_min, scan.angle_increment, scan.ranges)
 
     def take_learner(self, data, _):
         status = read(LearnerStatus, data)

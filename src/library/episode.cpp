@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 
 #include "common/thread_pool.h"
 #include "library/conversions.h"
+#include "robots/robot_senses.h"
 #include "scenario/scenario.h"
 #include "simulation/crowd_decider.h"
 #include "simulation/episode.h"
@@ -106,6 +108,7 @@ struct Episode::State {
   std::optional<CrowdDecider> decider;  // of `learner`
   const crowd::Learner* learner = nullptr;
   Perceptions perceptions;  // for decisions of the user
+  std::optional<RobotSenses> senses;
 };
 
 Episode::Episode(const Scenario& scenario, const Vision& vision, std::uint64_t seed, std::uint64_t number,
@@ -151,6 +154,15 @@ std::vector<RobotState> Episode::robots() const {
   std::vector<RobotState> states;
   for (const Robot& robot : state_->world().robots()) states.push_back(stateOf(robot));
   return states;
+}
+
+RobotScan Episode::scan(std::uint32_t robot) {
+  const World& world = state_->world();
+  if (robot >= world.robots().size()) throw InputError("robot: there is no robot " + std::to_string(robot));
+  if (!state_->senses) state_->senses.emplace(state_->episode.scene());
+  state_->senses->forgetScans();  // the world may have been edited in this tick
+  const ScanSpec& spec = world.robots()[robot].start.scan;
+  return {spec.first_angle, angleIncrement(spec), state_->senses->ranges(world, robot)};
 }
 
 std::map<std::size_t, Wall> Episode::walls() const {

@@ -143,6 +143,20 @@ void bindCrowd(py::module_& module) {
                                  robots.append(describe(robot));
                                return robots;
                              })
+      .def(
+          "scan",
+          [](Crowd& crowd, std::uint32_t robot) {
+            const library::RobotScan scan = crowd.episode().scan(robot);
+            py::dict fields;
+            fields["first_angle"] = scan.first_angle;
+            fields["increment"] = scan.increment;
+            fields["ranges"] = py::array_t<float>(static_cast<py::ssize_t>(scan.ranges.size()), scan.ranges.data());
+            return fields;
+          },
+          py::arg("robot") = 0,
+          "What the laser scanner of a robot reports now: `first_angle` and `increment` [rad], robot frame, and "
+          "`ranges` "
+          "[m], infinite or NaN as in REP 117.")
       .def_property_readonly("walls",
                              [](Crowd& crowd) {
                                const auto by_id = crowd.episode().walls();

@@ -1,5 +1,6 @@
 #include "wasm/wasm_crowd.h"
 
+#include <cmath>
 #include <optional>
 
 #include "learning/learner.h"
@@ -89,7 +90,8 @@ val WasmCrowd::obstacles() {
 }
 
 val WasmCrowd::robots() {
-  return arrayOf(episode_.robots(), [](const library::RobotState& robot) {
+  std::uint32_t number = 0;
+  return arrayOf(episode_.robots(), [&](const library::RobotState& robot) {
     val fields = val::object();
     fields.set("name", robot.name);
     fields.set("radius", robot.radius);
@@ -97,8 +99,22 @@ val WasmCrowd::robots() {
     pose.call<void>("push", robot.pose.heading);
     fields.set("pose", pose);
     fields.set("goal", robot.goal ? pointOf(*robot.goal) : val::null());
+    fields.set("scan", scanOf(number++));
     return fields;
   });
+}
+
+val WasmCrowd::scanOf(std::uint32_t robot) {
+  const library::RobotScan scan = episode_.scan(robot);
+  val fields = val::object();
+  fields.set("angle_min", scan.first_angle);
+  fields.set("angle_increment", scan.increment);
+  val ranges = val::array();
+  for (const float range : scan.ranges) {
+    ranges.call<void>("push", std::isfinite(range) ? val(range) : val::null());
+  }
+  fields.set("ranges", ranges);
+  return fields;
 }
 
 val WasmCrowd::map() {

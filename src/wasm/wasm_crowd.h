@@ -35,6 +35,7 @@ class WasmCrowd {
   val agents();
   val walls();
   val obstacles();
+  /// @brief The robots with their scans.
   val robots();
   /// @brief The map of the scene with its cells as Uint8Array, or null.
   val map();
@@ -52,6 +53,7 @@ class WasmCrowd {
  private:
   WasmCrowd(const library::Scenario& scenario, const library::QTable& table, std::uint64_t seed, std::uint64_t number);
   const World& world() { return episode_.episode().world(); }
+  val scanOf(std::uint32_t robot);
 
   library::Learner learner_;
   library::Episode episode_;

@@ -126,6 +126,24 @@ class CrowdTest:
         with pytest.raises(social_crowd.InputError, match='robot'):
             crowd.command_robot(1, 1.0)
 
+    def test_scan(self):
+        scenario = """
+name: beside
+duration: 9
+goal_tolerance: 0.3
+agents: [{position: [0, 1.5], goal: [0, 9], max_speed: 1, radius: 0.25}]
+walls: [[[2, -5], [2, 5]]]
+robots: [{name: tug, position: [0, 0], heading: 0, radius: 0.3, max_speed: 1, scan: {rays: 4}}]
+"""
+        crowd = social_crowd.Crowd(scenario)
+        scan = crowd.scan()
+        assert (scan['first_angle'], scan['increment']) == (-numpy.pi, numpy.pi / 2)
+        numpy.testing.assert_array_equal(scan['ranges'], [numpy.inf, numpy.inf, 2, 1.25])  # ahead a wall, left a person
+        crowd.add_wall((0.5, -1), (0.5, 1))
+        assert crowd.scan()['ranges'][2] == 0.5
+        with pytest.raises(social_crowd.InputError, match='there is no robot 1'):
+            crowd.scan(1)
+
     def test_errors(self):
         with pytest.raises(social_crowd.InputError, match="no scenario 'circel6', did you mean 'circle6'"):
             social_crowd.Crowd('circel6')

@@ -145,6 +145,7 @@ class PythonBackEndTest:
                 scene = await page.next('scene', lambda scene: scene['robots'])
                 robot, = (await page.next('robots'))['robots']
                 assert robot['name'] == scene['robots'][0]['name'] and len(robot['pose']) == 3
+                assert any(robot['scan']['ranges'])  # of the people about it
         run(test(start_server(runner, CIRCLE6)))
 
     def test_recordings(self, runner):

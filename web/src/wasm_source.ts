@@ -172,7 +172,7 @@ export class WasmSource {
     this.send(frameOf(this.crowd));
     const robots = this.crowd.robots();
     if (robots.length > 0) {
-      const states = robots.map(({name, pose, goal}) => ({name, pose, goal, scan: null}));
+      const states = robots.map(({name, pose, goal, scan}) => ({name, pose, goal, scan}));
       this.send({type: 'robots', tick: this.crowd.tick(), robots: states});
     }
     this.showMind();
