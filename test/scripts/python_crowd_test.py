@@ -131,7 +131,7 @@ class CrowdTest:
 name: beside
 duration: 9
 goal_tolerance: 0.3
-agents: [{position: [0, 1.5], goal: [0, 9], max_speed: 1, radius: 0.25}]
+agents: [{position: [0, 1.5], goal: [0, 9], speed: 1, radius: 0.25}]
 walls: [[[2, -5], [2, 5]]]
 robots: [{name: tug, position: [0, 0], heading: 0, radius: 0.3, max_speed: 1, scan: {rays: 4}}]
 """

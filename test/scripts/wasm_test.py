@@ -2,12 +2,15 @@
 import base64
 import hashlib
 import json
+import os
 import pathlib
 import shutil
 import subprocess
 
 import pytest
 import social_crowd
+from node_packages import find_chromium, install_clients
+from programs import PATIENCE
 
 SUPPORT = pathlib.Path(__file__).parent.parent / 'support'
 AGENT_TICKS, LEAST_TICKS = 3000, 5  # of a scenario
@@ -81,6 +84,14 @@ class ScenariosTest:
                 same = [one == other for one, other in zip(native, result['digests'])]
                 different[walk['scenario']] = same.index(False) if False in same else len(same)
         assert different == {}  # the first tick that differs, by scenario
+
+
+def test_the_page_opens_as_a_file(web, tmp_path):
+    chromium = find_chromium()
+    install_clients(tmp_path)
+    done = subprocess.run(['node', 'file_page.mjs', web / 'page/index.html'], cwd=tmp_path, stdout=subprocess.PIPE,
+                          check=True, timeout=5 * PATIENCE, env={**os.environ, 'CHROMIUM': chromium})
+    assert json.loads(done.stdout) == []
 
 
 class WorkerTest:
