@@ -12,13 +12,16 @@ from crowd_experiments.tools import find_evaluation
 from .crowds import rimea_10, rimea_11, rimea_12, rimea_14, rimea_15, rimea_9
 from .evaluation import Case, Evaluation, load, store
 from .movement import rimea_1, rimea_5, rimea_6, rimea_7
+from .sweeps import sweep_corridors, sweep_densities, sweep_doors, sweep_radii
 
 # In the order of the table. A new case is a function of an Evaluation that returns a Result, and a line here.
 ALL = [Case(run.__name__, title, run) for title, run in (
     ('Walking speed in a corridor', rimea_1), ('Reaction times', rimea_5), ('Movement around a corner', rimea_6),
     ('Walking speeds by age', rimea_7), ('A crowd leaves a large room', rimea_9), ('Assigned exits', rimea_10),
     ('Choice of the exit', rimea_11), ('Two bottlenecks in a row', rimea_12), ('A short and a long way', rimea_14),
-    ('A large crowd around a corner', rimea_15))]
+    ('A large crowd around a corner', rimea_15),
+    ('Doors of all widths', sweep_doors), ('Corridors of all widths', sweep_corridors),
+    ('Densities', sweep_densities), ('Sizes of people', sweep_radii))]
 # Cases of the guideline that are not here, and why.
 LEFT_OUT = {
     'rimea_2': 'walking up stairs: the floor is plane',
@@ -65,8 +68,8 @@ def main(words=None):
         print(f"validate: no case '{name}'{reason}; there are {', '.join(names)}", file=sys.stderr)
         return EXIT_USAGE
     if arguments.list:
-        print('\n'.join([*(f'{case.name:10} {case.title}' for case in ALL),
-                         *(f'{name:10} left out: {reason}' for name, reason in LEFT_OUT.items())]))
+        print('\n'.join([*(f'{case.name:15} {case.title}' for case in ALL),
+                         *(f'{name:15} left out: {reason}' for name, reason in LEFT_OUT.items())]))
         return EXIT_FINE
     chosen = [case for case in ALL if case.name in arguments.cases or not arguments.cases]
     output = arguments.output.absolute()

@@ -3,7 +3,7 @@ import math
 
 import numpy
 import pytest
-from crowd_validation import crowds, movement, plan, program as cases
+from crowd_validation import crowds, movement, plan, program as cases, sweeps
 
 
 def total_length(walls):
@@ -35,6 +35,14 @@ class CasesTest:
         assert [agent['reaction_time'] for agent in agents] == [10, 20, 30, 40, 50, 60, 70, 80, 90, 100]
         # 8 + 5 + 8 m of walls, and 5 m with an exit of 1 m.
         assert total_length(movement.room(1)['walls']) == pytest.approx(25.0)
+
+    def test_floors_of_sweeps(self):
+        one, two = (sweeps.door(1, 1.2, 0.2, ways) for ways in (1, 2))
+        assert total_length(one['walls']) == pytest.approx(12 - 1.2 + 2 * 24)  # the wall with the door, and two sides
+        assert [agent['position'][0] < 0 for agent in one['agents']] == [True] * 40
+        assert [agent['goal'][0] for agent in two['agents']] == [9.0] * 20 + [-9.0] * 20
+        agents = sweeps.corridor(1, 3.0, 0.5, 0.25)['agents']  # 20 m long
+        assert [agent['goal'][0] for agent in agents] == [24.0, -4.0] * 15
 
     def test_speed_ranges(self):
         assert movement.within(numpy.array([0.59, 1.6]), 0.58, 1.61)

@@ -6,7 +6,7 @@ import random
 
 import numpy
 import pytest
-from crowd_validation import crowds, measures, measures as texts, plan as people
+from crowd_validation import crowds, measures, measures as texts, plan as people, sweeps
 from crowd_validation.evaluation import Recording, read_tracks
 
 NAN = [math.nan, math.nan]
@@ -24,6 +24,14 @@ def recording(tracks, walls=(), arrivals=None, speeds=None, radius=0.2):
 
 class MeasuresTest:
     """Measures of trajectories made by hand."""
+
+    def test_flow_and_share_of_the_free_speed(self):
+        # Through the door at x = 0 after 0.1 s, 0.2 s and 0.3 s; each walks 0.6 m in 0.3 s.
+        tracks = [[[start + 0.2 * tick, 0.0] for tick in range(4)] for start in (-0.1, -0.3, -0.5)]
+        walked = recording(tracks, arrivals=[0.3, 0.3, math.inf], speeds=[2.0, 4.0, 2.0])
+        assert sweeps.flow(walked) == pytest.approx(2 / 0.2)
+        assert sweeps.share(walked) == pytest.approx((1.0 + 0.5 + 0.0) / 3)
+        assert sweeps.flow(recording(tracks[:2] + [[[-9.0, 0.0]] * 4])) == 0.0
 
     def test_crossing_times(self):
         gate = [[1.0, 0.0], [1.0, 2.0]]

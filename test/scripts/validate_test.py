@@ -55,7 +55,7 @@ class ValidateTest:
     def test_the_list(self, runner):
         listing = self.validate(runner, '--list')
         assert listing.wait() == 0, listing.output()
-        assert_says(listing.output(), 'rimea_1 ', 'rimea_15', 'rimea_13   left out: ')
+        assert_says(listing.output(), 'rimea_1 ', 'rimea_15', 'rimea_13        left out: ')
 
     @pytest.mark.parametrize('words, said', [
         (['rimea_99'], "no case 'rimea_99'; there are rimea_1, "),
