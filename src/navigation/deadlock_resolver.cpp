@@ -144,7 +144,8 @@ bool DeadlockResolver::blocksOthers(const World& world, const Agent& agent) {
     if (other.id == agent.id || !is_stuck) return false;
     const Vector2 offset = agent.pose.position - other.pose.position;
     const double gap = offset.norm() - agent.radius - other.radius;
-    return gap < WAITER_REACH && offset.dot(other.perceivedGoal() - other.pose.position) > 0.0;
+    const Vector2 way = (other.perceivedGoal() - other.pose.position).normalized();
+    return gap < WAITER_REACH && offset.dot(way) > (gap < TOUCH ? -BESIDE : 0.0);
   });
 }
 
@@ -166,17 +167,18 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
   const Walk& its = walks_[other.id];
   const Vector2 offset = other.pose.position - agent.pose.position;
   const double gap = offset.norm() - agent.radius - other.radius;
-  // In a door two agents may be wedged side by side.
-  const double ahead = offset.dot(own.course);
-  if (gap > REACH || ahead <= (gap < TOUCH ? -BESIDE : 0.0)) return false;
+  if (gap > REACH) return false;
   const bool is_opposite = its.course.dot(own.course) < OPPOSITE;
   const bool forms_arch = !is_opposite && gap < TOUCH && isStuck(own, time) && isStuck(its, time);
+  // In a door two agents may be wedged side by side.
+  const bool is_ahead = offset.dot(own.course) > (gap < TOUCH ? -BESIDE : 0.0);
+  if (!is_ahead && !forms_arch) return false;
   if (own.cannot_walk_back != its.cannot_walk_back) return its.cannot_walk_back && (is_opposite || forms_arch);
   if (is_opposite) {
     if (walksBack(its)) return true;
     return !other.yielding && priorityDirection(time).dot(its.course - own.course) > 0.0;
   }
-  return forms_arch && ahead > 0.0 && !walksBack(its) && its.remaining < own.remaining;
+  return forms_arch && !walksBack(its) && its.remaining < own.remaining;
 }
 
 /// Appends unit vectors from an agent to the walls that it touches.
