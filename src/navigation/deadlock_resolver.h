@@ -20,7 +20,7 @@ namespace crowd {
 /// - Of agents that walk in opposite directions, the one whose direction is nearer to an axis has priority; the axis is
 ///   the same for all agents and turns every TURN_TIME.
 /// - Of agents in the same direction that are both stuck and touch each other, as in an arch in front of a door, the
-///   one with the shorter remaining path has priority.
+///   one with the shorter remaining path has priority, wherever the other one is.
 ///
 /// An agent that gives way walks back for RETREAT_TIME, and agents that it walks towards do the same. It walks along
 /// its own trail; after an attempt in which it could not move, against the direction of its path, and then in turns.

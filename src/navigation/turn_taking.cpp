@@ -89,7 +89,7 @@ void TurnTaking::addTraffic(const World& world, const Claimant& claimant, const 
     const bool is_inside = its.isInside() && other->passage == 0;
     if (cosine < OPPOSITE) {
       const double other_radius = world.agents()[its.agent].radius;
-      if (!other->is_narrow || claim.width >= WayClaims::passingWidth(agent.radius, other_radius)) continue;
+      if (!other->is_narrow || claim.width >= agent.radius + other_radius + claim.room) continue;
       if (is_inside) {
         replaceIfLonger(traffic.opposite_inside, its);
         traffic.do_opposite_walk = traffic.do_opposite_walk || getsOn(world.agents()[its.agent], its);

@@ -17,7 +17,8 @@ struct Claim {
   Vector2 direction = Vector2::UnitX();  ///< of the way there, unit vector
   double ahead = 0.0;                    ///< length of the way to it [m]
   double width = 0.0;                    ///< free floor across the way, for the agent's centre; where it is narrow [m]
-  bool is_narrow = false;                ///< agents of this size and in opposite directions cannot pass each other
+  double room = 0.0;                     ///< beside two bodies that pass each other there [m]
+  bool is_narrow = false;                ///< agents of this size and in opposite directions do not pass each other
   std::uint32_t passage = 0;             ///< number of narrow parts of the way that begin between the agent and it
   std::uint32_t claimant = 0;            ///< see WayClaims::claimants()
 };
@@ -44,11 +45,11 @@ class WayClaims {
   static constexpr double MAX_LENGTH = 25.0;       ///< of ways through a narrow part [m]
   static constexpr double HEADING_DISTANCE = 0.4;  ///< [m]
   static constexpr double PASSING_ROOM = 0.6;      ///< beside two bodies that pass each other [m]
+  static constexpr double DOOR_ROOM = 1.4;         ///< the same in a door [m]
+  static constexpr double DOOR_LENGTH = 1.0;       ///< greatest length of a door [m]
 
-  /// @brief The free width of floor, for the centre of the first agent, on which two agents pass each other [m].
-  static double passingWidth(double radius, double other_radius) { return radius + other_radius + PASSING_ROOM; }
   /// @brief The clearance beyond which floor is wide for agents up to a radius [m].
-  static double wideClearance(double radius) { return radius + 0.5 * passingWidth(radius, radius); }
+  static double wideClearance(double radius) { return 2.0 * radius + 0.5 * DOOR_ROOM; }
 
   void update(const World& world, const AgentMap<RemainingPath>& paths, const FloorRuler& floor);
 
@@ -64,6 +65,8 @@ class WayClaims {
 
  private:
   void addWay(const Agent& agent, const RemainingPath& path, const FloorRuler& floor);
+  void addPlaces(const Agent& agent, const RemainingPath& path, const FloorRuler& floor);
+  void tellDoors(std::size_t first, double radius);
 
   std::vector<Claimant> claimants_;
   std::vector<Claim> claims_;

@@ -86,6 +86,17 @@ TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatItBlocks) {
   EXPECT_TRUE(crowd.givesWay(0));  // makes room for agent 1, which walks back
 }
 
+/// Agent 1 waits beside agent 0, 0.1 m behind.
+TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatItTouches) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({-0.1, 0.39}, {9.0, 0.39})});
+  while (!crowd.doesAnyGiveWay() && crowd.world.time() < 60.0) {
+    crowd.world.walkingAgent(1).yielding = true;
+    crowd.stand();
+  }
+  EXPECT_TRUE(crowd.givesWay(1));
+  EXPECT_FALSE(crowd.givesWay(0));
+}
+
 TEST(DeadlockResolver, OneOfTwoGivesWay) {
   Crowd crowd(headOn());
   crowd.walkUntilAnyGivesWay(60.0);
@@ -166,6 +177,13 @@ TEST(DeadlockResolver, InAnArchTheAgentFartherFromItsGoalGivesWay) {
   while (!crowd.doesAnyGiveWay() && crowd.world.time() < 60.0) crowd.stand();
   EXPECT_FALSE(crowd.givesWay(0));
   EXPECT_TRUE(crowd.givesWay(1));
+}
+
+/// Side by side: agent 1 is 0.3 m behind the line beside agent 0, but has the shorter way, 8.25 m instead of 9.5 m.
+TEST(DeadlockResolver, InAnArchAgentsSideBySideGiveWayToo) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 3.0}), walker({-0.25, -0.3125}, {8.0, -0.3125})});
+  while (!crowd.doesAnyGiveWay() && crowd.world.time() < 60.0) crowd.stand();
+  EXPECT_TRUE(crowd.givesWay(0));  // and agent 1, which it walks towards, makes room
 }
 
 /// Two agents face each other and cannot move. The one that gives way first cannot walk back, so it has priority then.

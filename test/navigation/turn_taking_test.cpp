@@ -68,7 +68,7 @@ TEST(TurnTaking, WhoHasWaitedLongerGoesFirst) {
 }
 
 TEST(TurnTaking, AgentsPassEachOtherInAWideDoor) {
-  Door door({east(-1.0, 0.0), west(1.0, 0.0)}, 1.6);
+  Door door({east(-1.0, 0.0), west(1.0, 0.0)}, 2.6);
   EXPECT_TRUE(door.mayWalk(0));
   EXPECT_TRUE(door.mayWalk(1));
 }

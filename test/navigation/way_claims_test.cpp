@@ -18,19 +18,19 @@ constexpr double PRECISION = WayClaims::STEP + 2.0 * FloorRuler::SPACING;  // of
 
 /// Claims of agents at a door in a wall along the y axis.
 struct Door {
-  Door(std::vector<AgentStart> agents, double width, const FloorPlan& floor)
+  Door(std::vector<AgentStart> agents, const FloorPlan& floor)
       : world(two_ways::worldOf(std::move(agents))), ruler(floor, WayClaims::wideClearance(RADIUS)) {
     claims.update(world, two_ways::findPaths(world), ruler);
   }
   explicit Door(std::vector<AgentStart> agents, double width = 0.9)
-      : Door(std::move(agents), width, floors::roomWithDoor(width)) {}
+      : Door(std::move(agents), floors::roomWithDoor(width)) {}
 
   World world;
   FloorRuler ruler;
   WayClaims claims;
 };
 
-/// A door of 0.9 m in a line is 0.5 m wide for the centre of a body of 0.2 m: less than the 1.0 m that two need. The
+/// A door of 0.9 m in a line is 0.5 m wide for the centre of a body of 0.2 m: less than the 1.8 m that two need. The
 /// floor across the way is so narrow where the ends of the wall are less than 0.2 m from the line across: up to 0.2 m
 /// from the door.
 TEST(WayClaims, ADoorIsNarrow) {
@@ -54,7 +54,14 @@ TEST(WayClaims, ADoorIsNarrow) {
 }
 
 TEST(WayClaims, AWideDoorIsNot) {
-  EXPECT_TRUE(Door({walker({-2.0, 0.0}, {4.5, 0.0})}, 1.6).claims.claimants().empty());
+  EXPECT_TRUE(Door({walker({-2.0, 0.0}, {4.5, 0.0})}, 2.6).claims.claimants().empty());
+}
+
+/// For the centre of a body of 0.2 m both are 1.6 m wide. Two bodies need 1.8 m in a door, and 1.0 m in a corridor.
+TEST(WayClaims, ADoorIsNarrowWhereACorridorOfItsWidthIsNot) {
+  EXPECT_EQ(Door({walker({-2.0, 0.0}, {4.5, 0.0})}, 2.0).claims.claimants().size(), 1U);
+  const FloorPlan corridor = floors::room({-8.0, -1.0}, {8.0, 1.0});
+  EXPECT_TRUE(Door({walker({-7.0, 0.0}, {7.5, 0.0})}, corridor).claims.claimants().empty());
 }
 
 TEST(WayClaims, ADoorFarAwayIsNotClaimed) {
@@ -71,7 +78,7 @@ TEST(WayClaims, AnAgentInTheDoorIsInside) {
 /// A corridor of 1 m and 16 m, in which bodies of 0.2 m cannot pass each other: the way through it is claimed to its
 /// end.
 TEST(WayClaims, ANarrowCorridorIsClaimedToItsEnd) {
-  Door door({walker({-7.0, 0.0}, {7.5, 0.0})}, 1.0, floors::room({-8.0, -0.5}, {8.0, 0.5}));
+  Door door({walker({-7.0, 0.0}, {7.5, 0.0})}, floors::room({-8.0, -0.5}, {8.0, 0.5}));
   ASSERT_EQ(door.claims.claimants().size(), 1U);
   const Span<Claim> claims = door.claims.of(door.claims.claimants().front());
   EXPECT_NEAR(claims[claims.size() - 1].place.x(), 7.5, PRECISION);
