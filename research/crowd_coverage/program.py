@@ -1,16 +1,19 @@
 """Measures which lines and branches of the core its unit tests execute."""
 import argparse
 import json
+import os
 import pathlib
+import re
 
-from crowd_experiments.tools import REPOSITORY, build_folder
+from crowd_experiments.tools import REPOSITORY, build_folder, programs_in
 from crowd_mutants.program import run
 
 LEAST = (95.0, 85.0)  # of lines and branches [%]
 EPILOG = '''
-Builds the core and its unit tests in a folder of its own, without optimisation, runs them, and prints what gcovr (in
-Debian: gcovr) counts, by folder of src/. Not counted are branches that the compiler adds for exceptions, and those of
-lines without code. Lines that were not executed are named in lines.txt in the folder, branches in branches.txt.
+Builds the core without optimisation in a folder of its own, runs the unit tests of the existing build (scripts/build
+--tests) with it, and prints what gcovr (in Debian: gcovr) counts, by folder of src/. Not counted are branches that the
+compiler adds for exceptions, and those of lines without code. Lines that were not executed are named in lines.txt in
+the folder, branches in branches.txt.
 
 Exit status: 0 at least 95 % of the lines and 85 % of the branches were executed, 1 fewer, or a test failed.
 
@@ -19,15 +22,23 @@ Example:
 '''
 
 
-def measure(folder):
-    """Builds and runs the tests. Returns gcovr's summary."""
-    run('cmake', '-S', pathlib.Path(__file__).parent, '-B', folder)
-    run('cmake', '--build', folder, '--parallel', '2')
+def test_layers(folder, tests):
+    """Runs the unit tests of all layers of the core that was built in the folder."""
+    environment = dict(os.environ, LD_LIBRARY_PATH=f"{folder}:{os.environ.get('LD_LIBRARY_PATH', '')}")
     for counts in folder.rglob('*.gcda'):
         counts.unlink()
-    run('ctest', '--test-dir', folder, '--parallel', '2', '--output-on-failure')
+    layers = re.search(r'foreach\(LAYER (.*)\)', (REPOSITORY / 'src' / 'core.cmake').read_text())[1].split()
+    for layer in ('simd', *layers):
+        run(tests / f'{layer}_test', '--gtest_brief=1', env=environment, cwd=folder)
+
+
+def measure(folder, tests):
+    """Builds the core and runs its tests. Returns gcovr's summary."""
+    run('cmake', '-S', pathlib.Path(__file__).parent, '-B', folder)
+    run('cmake', '--build', folder, '--parallel', '2')
+    test_layers(folder, tests)
     counts, summary = folder / 'counts.json', folder / 'summary.json'
-    run('gcovr', '--root', REPOSITORY, '--filter', 'src/', '--filter', 'include/', '--exclude', 'src/ranks/', '-j', '2',
+    run('gcovr', '--root', REPOSITORY, '--filter', 'src/', '--filter', 'include/', '-j', '2',
         '--exclude-throw-branches', '--exclude-unreachable-branches', '--json', counts, folder)
     merged = ('gcovr', '--root', REPOSITORY, '--add-tracefile', counts)
     run(*merged, '--txt', folder / 'lines.txt', '--json-summary', summary)
@@ -55,7 +66,10 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--folder', type=pathlib.Path, default=build_folder() / 'coverage',
                         help='for the build and the reports (default: coverage/ in the build folder)')
-    reached = shares(measure(parser.parse_args().folder.absolute())['files'])
+    parser.add_argument('--tests', type=pathlib.Path, default=programs_in(build_folder() / 'devel'),
+                        help='folder of the unit tests (default: those of the build)')
+    arguments = parser.parse_args()
+    reached = shares(measure(arguments.folder.absolute(), arguments.tests.absolute())['files'])
     print(f"{'folder':<14}lines branches [%]")
     for name, (lines, branches) in reached.items():
         print(f'{name:<14}{lines:5.1f} {branches:8.1f}')

@@ -88,8 +88,8 @@ class Core:
             compiled.write_bytes(object_code)  # is newer than the file
 
 
-def run(*command):
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+def run(*command, **options):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False, **options)
     if done.returncode != 0:
         raise RunError(f"{' '.join(map(str, command))} failed: {done.stdout.decode(errors='replace')[-2000:]}")
 

@@ -5,7 +5,7 @@ import os
 import pytest
 from programs import in_package
 
-# Stands for cmake, ctest and gcovr; writes the summary that is asked for.
+# Stands for cmake, gcovr and tests; writes the summary that is asked for.
 PROGRAM = '''#!/bin/bash
 while (($# > 0)); do
   [[ $1 != --json-summary ]] || cp "$(dirname "$0")/summary" "$2"
@@ -25,11 +25,12 @@ class CoverageTest:
                  {'src/maps/a.cpp': (90, 100, 8, 10), 'src/maps/b.cpp': (100, 100, 0, 0),
                   'src/world/c.h': (covered, 100, 9, 10)}.items()]
         runner.write('summary', json.dumps({'files': files}))
-        for name in ('cmake', 'ctest', 'gcovr'):
+        for name in ('cmake', 'gcovr', *(f'{layer}_test' for layer in os.listdir(in_package('src')))):
             os.chmod(runner.write(name, PROGRAM), 0o755)
         runner.environment['PATH'] = f"{runner.folder}:{os.environ['PATH']}"
         os.mkdir(runner.path('build'))
-        running = runner.start('coverage', [in_package('research', 'coverage'), '--folder', runner.path('build')])
+        running = runner.start('coverage', [in_package('research', 'coverage'), '--folder', runner.path('build'),
+                                            '--tests', runner.folder])
         assert running.wait() == status, running.output()
         assert running.output().splitlines()[1:3] == [
             'maps           95.0     80.0', f'world          {covered}.0     90.0']
