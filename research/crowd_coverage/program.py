@@ -38,8 +38,8 @@ def measure(folder, tests):
     run('cmake', '--build', folder, '--parallel', '2')
     test_layers(folder, tests)
     counts, summary = folder / 'counts.json', folder / 'summary.json'
-    run('gcovr', '--root', REPOSITORY, '--filter', 'src/', '--filter', 'include/', '-j', '2',
-        '--exclude-throw-branches', '--exclude-unreachable-branches', '--json', counts, folder)
+    run('gcovr', '--root', REPOSITORY, '--filter', REPOSITORY / 'src', '--filter', REPOSITORY / 'include',
+        '-j', '2', '--exclude-throw-branches', '--exclude-unreachable-branches', '--json', counts, folder)
     merged = ('gcovr', '--root', REPOSITORY, '--add-tracefile', counts)
     run(*merged, '--txt', folder / 'lines.txt', '--json-summary', summary)
     run(*merged, '--branches', '--txt', folder / 'branches.txt')
