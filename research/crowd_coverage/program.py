@@ -28,7 +28,7 @@ def test_layers(folder, tests):
     for counts in folder.rglob('*.gcda'):
         counts.unlink()
     layers = re.search(r'foreach\(LAYER (.*)\)', (REPOSITORY / 'src' / 'core.cmake').read_text())[1].split()
-    for layer in ('simd', *layers):
+    for layer in ('simd', *layers, 'ranks'):
         run(tests / f'{layer}_test', '--gtest_brief=1', env=environment, cwd=folder)
 
 
@@ -39,7 +39,8 @@ def measure(folder, tests):
     test_layers(folder, tests)
     counts, summary = folder / 'counts.json', folder / 'summary.json'
     run('gcovr', '--root', REPOSITORY, '--filter', REPOSITORY / 'src', '--filter', REPOSITORY / 'include',
-        '-j', '2', '--exclude-throw-branches', '--exclude-unreachable-branches', '--json', counts, folder)
+        '--object-directory', folder, '--exclude-throw-branches', '--exclude-unreachable-branches', '-j', '2',
+        '--json', counts, folder)
     merged = ('gcovr', '--root', REPOSITORY, '--add-tracefile', counts)
     run(*merged, '--txt', folder / 'lines.txt', '--json-summary', summary)
     run(*merged, '--branches', '--txt', folder / 'branches.txt')
