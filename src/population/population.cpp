@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "geometry/limits.h"
+#include "population/changes/route_check.h"
 #include "population/entry_velocity.h"
 #include "population/facing.h"
-#include "population/route_check.h"
 #include "scenario/region_geometry.h"
 #include "social_crowd/errors.h"
 #include "world/world_editor.h"
