@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
 #include <utility>
 
 #include "geometry/limits.h"
 #include "population/entry_velocity.h"
 #include "population/facing.h"
-#include "population/route_check.h"
 #include "scenario/region_geometry.h"
-#include "social_crowd/errors.h"
 #include "world/world_editor.h"
 
 namespace crowd {
@@ -273,67 +270,6 @@ bool Population::isEndless(const Leader& leader, const World& world) {
   return member != nullptr && member->route && member->route->repeats();
 }
 
-void Population::setRoute(AgentId id, const std::string& route, WayLengths* ways, World& world,
-                          RouteObserver& observer) {
-  const auto index = findName(description_->routes, route);
-  if (!index) throw InputError(unknownNameText("route", route, namesOf(description_->routes)));
-  if (ways != nullptr && world.isActive(id)) {
-    const Agent& agent = world.agents()[id];
-    const std::string name = "agent " + std::to_string(id);
-    RouteCheck(name, agent.radius, *description_, places_, *ways, world)
-        .require(description_->routes[*index], agent.pose.position);
-    Member candidate;
-    candidate.route.emplace(description_->routes[*index], randomOfRoute(id, world.tick()));
-    const Vector2 goal = goalOfLeg(candidate, agent.pose.position, agent.radius, world);
-    ways->requireWay(name, world, agent.pose.position, goal, agent.radius);
-  }
-  hold(beginRoute(id, description_->routes[*index], world, observer), world);
-}
-
-Population::Member& Population::beginRoute(AgentId id, const RouteDescription& route, World& world,
-                                           RouteObserver& observer) {
-  world.walkingAgent(id);  // throws for unknown agents
-  leaveGroup(id, world, observer);
-  world.walkingAgent(id).leaves = false;
-  attractions_.leave(id, false, world);
-  reactions_.leave(id, false, world);
-  for (Queue& queue : queues_) queue.leave(id);
-  Member* member = find(id);
-  if (member == nullptr) {
-    const auto before = [](const Member& other, AgentId sought) { return other.id < sought; };
-    member = &*members_.emplace(std::lower_bound(members_.begin(), members_.end(), id, before));
-    member->id = id;
-  }
-  // The goal of another route is not that of a leg of this one.
-  member->route.emplace(route, randomOfRoute(id, world.tick()));
-  observer.setEndless(id, member->route->repeats());
-  beginLeg(*member, world);
-  observer.recordGoal(world.agents()[id], world.agents()[id].goal());
-  return *member;
-}
-
-void Population::leaveGroup(AgentId id, World& world, RouteObserver& observer) {
-  followers_.drop(id, world, observer);
-  Agent& agent = world.walkingAgent(id);
-  if (agent.group == NO_GROUP || followers_.leads(id, world)) return;
-  agent.group = NO_GROUP;
-  agent.setPace(Pace::GROUP, 1.0);
-  agent.clearWaypoint();
-}
-
-void Population::dropRoute(AgentId id, World& world, RouteObserver& observer) {
-  leaveGroup(id, world, observer);
-  attractions_.leave(id, false, world);
-  reactions_.leave(id, false, world);
-  Member* const member = find(id);
-  if (member == nullptr || !member->route) return;
-  for (Queue& queue : queues_) queue.leave(id);
-  member->route.reset();
-  world.walkingAgent(id).leaves = true;
-  observer.setEndless(id, false);
-  hold(*member, world);
-}
-
 void Population::adopt(const Scene& scene, PopulationDescription description) {
   earlier_.push_back(description_);
   description_ = std::make_shared<const PopulationDescription>(std::move(description));
@@ -352,14 +288,6 @@ void Population::addSource(const Scene& scene, const World& world) {
 void Population::addGate(const Scene& scene, World& world) {
   adopt(scene, *scene.population);
   gates_.emplace_back(description_->gates.back()).update(world);
-}
-
-bool Population::setGate(const std::string& gate, bool open, World& world) {
-  const auto index = findName(description_->gates, gate);
-  if (!index) throw InputError(unknownNameText("gate", gate, namesOf(description_->gates)));
-  gates_[*index].setOpen(open, world.time());
-  gates_[*index].update(world);
-  return gates_[*index].isOpen();
 }
 
 }  // namespace crowd

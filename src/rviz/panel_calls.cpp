@@ -29,9 +29,12 @@ class Call {
   Call(const PanelRequest& request, ServiceLine& line, std::function<void(const CallResult&)> report)
       : node_(request.node), line_(line), report_(std::move(report)) {}
 
-  template <typename Service>
-  void make(const char* service, const typename Service::Request& content) const {
+  /// @param fill writes the content of the request
+  template <typename Service, typename Fill>
+  void make(const char* service, const Fill& fill) const {
     using Response = typename Service::Response;
+    typename Service::Request content;
+    fill(content);
     line_.add<Service>(node_ + "/" + service, content, [report = report_](const Response& response) {
       CallResult result{response.success != 0, response.message};
       if constexpr (std::is_same_v<Response, social_crowd::ListScenarios::Response>) {
@@ -51,73 +54,52 @@ class Call {
 void callController(const PanelRequest& request, const Call& call) {
   using Kind = PanelRequest::Kind;
   switch (request.kind) {
-    case Kind::PAUSE: {
-      std_srvs::SetBool::Request content;
-      content.data = request.flag;
-      return call.make<std_srvs::SetBool>(names::PAUSE, content);
-    }
-    case Kind::STEP: {
-      social_crowd::Step::Request content;
-      content.ticks = static_cast<std::uint32_t>(request.number);
-      return call.make<social_crowd::Step>(names::STEP, content);
-    }
-    case Kind::RESET: {
-      social_crowd::Reset::Request content;
-      content.keep_seed = true;
-      return call.make<social_crowd::Reset>(names::RESET, content);
-    }
-    case Kind::SET_SPEED: {
-      social_crowd::SetRealTimeFactor::Request content;
-      content.factor = request.number;
-      return call.make<social_crowd::SetRealTimeFactor>(names::SET_REAL_TIME_FACTOR, content);
-    }
-    case Kind::LOAD_SCENARIO: {
-      social_crowd::LoadScenario::Request content;
-      content.scenario = request.text;
-      return call.make<social_crowd::LoadScenario>(names::LOAD_SCENARIO, content);
-    }
-    case Kind::SAVE_SCENARIO: {
-      social_crowd::SaveScenario::Request content;
-      content.file = request.text;
-      content.overwrite = request.flag;
-      return call.make<social_crowd::SaveScenario>(names::SAVE_SCENARIO, content);
-    }
+    case Kind::PAUSE:
+      return call.make<std_srvs::SetBool>(names::PAUSE, [&](auto& content) { content.data = request.flag; });
+    case Kind::STEP:
+      return call.make<social_crowd::Step>(
+          names::STEP, [&](auto& content) { content.ticks = static_cast<std::uint32_t>(request.number); });
+    case Kind::RESET:
+      return call.make<social_crowd::Reset>(names::RESET, [&](auto& content) { content.keep_seed = true; });
+    case Kind::SET_SPEED:
+      return call.make<social_crowd::SetRealTimeFactor>(names::SET_REAL_TIME_FACTOR,
+                                                        [&](auto& content) { content.factor = request.number; });
+    case Kind::LOAD_SCENARIO:
+      return call.make<social_crowd::LoadScenario>(names::LOAD_SCENARIO,
+                                                   [&](auto& content) { content.scenario = request.text; });
+    case Kind::SAVE_SCENARIO:
+      return call.make<social_crowd::SaveScenario>(names::SAVE_SCENARIO, [&](auto& content) {
+        content.file = request.text;
+        content.overwrite = request.flag;
+      });
     default:
-      return call.make<social_crowd::ListScenarios>(names::LIST_SCENARIOS, {});
+      return call.make<social_crowd::ListScenarios>(names::LIST_SCENARIOS, [](auto& /*content*/) {});
   }
 }
 
 void callLearner(const PanelRequest& request, const Call& call) {
   using Kind = PanelRequest::Kind;
   switch (request.kind) {
-    case Kind::SET_MODE: {
-      social_crowd::SetMode::Request content;
-      content.mode = request.text;
-      return call.make<social_crowd::SetMode>(names::SET_MODE, content);
-    }
-    case Kind::SET_PARAMETER: {
-      social_crowd::SetLearningParameters::Request content;
-      content.parameters = "{" + request.text + ": " + toText(request.number) + "}";
-      return call.make<social_crowd::SetLearningParameters>(names::SET_LEARNING_PARAMETERS, content);
-    }
-    case Kind::SAVE_TABLE: {
-      social_crowd::SaveQTable::Request content;
-      content.file = request.text;
-      content.agent = static_cast<std::uint32_t>(request.number);
-      content.overwrite = request.flag;
-      return call.make<social_crowd::SaveQTable>(names::SAVE_Q_TABLE, content);
-    }
-    case Kind::LOAD_TABLE: {
-      social_crowd::LoadQTable::Request content;
-      content.file = request.text;
-      return call.make<social_crowd::LoadQTable>(names::LOAD_Q_TABLE, content);
-    }
-    default: {
-      social_crowd::ShareQTable::Request content;
-      content.method = request.text;
-      content.from_agent = static_cast<std::uint32_t>(request.number);
-      return call.make<social_crowd::ShareQTable>(names::SHARE_Q_TABLE, content);
-    }
+    case Kind::SET_MODE:
+      return call.make<social_crowd::SetMode>(names::SET_MODE, [&](auto& content) { content.mode = request.text; });
+    case Kind::SET_PARAMETER:
+      return call.make<social_crowd::SetLearningParameters>(names::SET_LEARNING_PARAMETERS, [&](auto& content) {
+        content.parameters = "{" + request.text + ": " + toText(request.number) + "}";
+      });
+    case Kind::SAVE_TABLE:
+      return call.make<social_crowd::SaveQTable>(names::SAVE_Q_TABLE, [&](auto& content) {
+        content.file = request.text;
+        content.agent = static_cast<std::uint32_t>(request.number);
+        content.overwrite = request.flag;
+      });
+    case Kind::LOAD_TABLE:
+      return call.make<social_crowd::LoadQTable>(names::LOAD_Q_TABLE,
+                                                 [&](auto& content) { content.file = request.text; });
+    default:
+      return call.make<social_crowd::ShareQTable>(names::SHARE_Q_TABLE, [&](auto& content) {
+        content.method = request.text;
+        content.from_agent = static_cast<std::uint32_t>(request.number);
+      });
   }
 }
 
@@ -132,9 +114,8 @@ bool isForLearner(PanelRequest::Kind kind) {
 void beginCall(const PanelRequest& request, ServiceLine& line, std::function<void(const CallResult&)> report) {
   const Call call(request, line, std::move(report));
   if (request.kind == PanelRequest::Kind::CHOOSE_AGENT) {
-    social_crowd::ChooseAgent::Request content;
-    content.agent = static_cast<std::int32_t>(request.number);
-    return call.make<social_crowd::ChooseAgent>(names::CHOOSE_AGENT, content);
+    return call.make<social_crowd::ChooseAgent>(
+        names::CHOOSE_AGENT, [&](auto& content) { content.agent = static_cast<std::int32_t>(request.number); });
   }
   isForLearner(request.kind) ? callLearner(request, call) : callController(request, call);
 }

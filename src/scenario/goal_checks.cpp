@@ -9,6 +9,28 @@
 
 namespace crowd {
 
+void refuse(const Scenario& scenario, const Label& label, const std::string& problem) {
+  throw InputError(scenario.source + ", line " + std::to_string(label.line) + ": " + problem);
+}
+
+bool areConnected(const FreeSpace& free_space, const Vector2& from, const Vector2& to) {
+  const std::uint32_t component = free_space.component(from);
+  return component != FreeSpace::NONE && component == free_space.component(to);
+}
+
+void requireWay(const Scenario& scenario, const AgentGroup& group, const Label& label) {
+  if (group.route || group.leader) return;
+  const bool goal_is_fixed = group.opposite || group.goals.front().isFixed();
+  if (!group.position.isFixed() || !goal_is_fixed) return;
+  const Vector2& start = group.position.first;
+  const Vector2 goal = group.opposite ? Vector2(2.0 * *group.opposite - start) : group.goals.front().first;
+  const double distance = (goal - start).norm();
+  if (distance > scenario.goal_tolerance) return;
+  refuse(scenario, label,
+         label.text() + ": its goal is " + toText(distance) + " m from its start, within goal_tolerance (" +
+             toText(scenario.goal_tolerance) + " m)");
+}
+
 bool comesNear(const Vector2& goal, double radius, double tolerance, const Scenario& scenario,
                const PlacedBodies& placed) {
   if (!placed.canStandAt(goal, radius - tolerance)) return false;

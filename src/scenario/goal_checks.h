@@ -5,6 +5,16 @@
 
 namespace crowd {
 
+/// @brief Reports a problem of a body. @throws InputError, with file, document and line
+[[noreturn]] void refuse(const Scenario& scenario, const Label& label, const std::string& problem);
+
+/// @brief Whether free space connects two places [m].
+bool areConnected(const FreeSpace& free_space, const Vector2& from, const Vector2& to);
+
+/// @brief Checks the distance between fixed starts and fixed goals: an agent that has arrived before it walks counts as
+/// a success. What is drawn is drawn so that this does not happen. @throws InputError
+void requireWay(const Scenario& scenario, const AgentGroup& group, const Label& label);
+
 /// @brief Whether a disc can come within a tolerance of a goal, as far as walls and obstacles near the goal say [m].
 bool comesNear(const Vector2& goal, double radius, double tolerance, const Scenario& scenario,
                const PlacedBodies& placed);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/stop_request.h"
 #include "geometry/disc_buckets.h"
 #include "geometry/footprint.h"
 
@@ -28,6 +29,19 @@ struct Label {
     return count == 1 ? name : name + " (" + std::to_string(number) + " of " + std::to_string(count) + ")";
   }
 };
+
+/// @brief Calls work(group, label, index) for each body of these groups; `index` counts the bodies.
+template <typename Groups, typename Work>
+void forEachBody(const char* list, const Groups& groups, const StopRequest& stop, const Work& work) {
+  std::size_t index = 0;
+  for (std::size_t entry = 0; entry < groups.size(); ++entry) {
+    const auto& group = groups[entry];
+    for (int number = 1; number <= group.count; ++number, ++index) {
+      stop.throwIfMade();
+      work(group, Label{list, entry, group.line, number, group.count}, index);
+    }
+  }
+}
 
 /// @brief A body or wall that overlaps a requested position, and the depth of the overlap [m].
 struct Blocker {

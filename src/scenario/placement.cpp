@@ -6,6 +6,7 @@
 #include "geometry/impact.h"
 #include "scenario/goal_checks.h"
 #include "scenario/group_placement.h"
+#include "scenario/obstacle_placement.h"
 #include "scenario/person_kind.h"
 #include "scenario/placed_bodies.h"
 #include "scenario/population_spec.h"
@@ -19,19 +20,6 @@ namespace {
 /// Number of draws that require non-overlapping goals; later draws permit overlaps, since crowded goals may not fit.
 constexpr int TRIES_FOR_SEPARATE_GOALS = 200;
 constexpr int TRIES_BESIDE = 20;  // of a place beside the leader that no wall separates from it
-
-/// Calls work(group, label, index) for each body of these groups; `index` counts the bodies.
-template <typename Groups, typename Work>
-void forEachBody(const char* list, const Groups& groups, const StopRequest& stop, const Work& work) {
-  std::size_t index = 0;
-  for (std::size_t entry = 0; entry < groups.size(); ++entry) {
-    const auto& group = groups[entry];
-    for (int number = 1; number <= group.count; ++number, ++index) {
-      stop.throwIfMade();
-      work(group, Label{list, entry, group.line, number, group.count}, index);
-    }
-  }
-}
 
 /// The settings of a scenario and its walls, without bodies.
 Scene emptyScene(const Scenario& scenario) {
@@ -79,18 +67,8 @@ class Placement {
   Scene place();
 
  private:
-  [[noreturn]] void fail(const Label& label, const std::string& problem) const;
-
-  /// How the position of an obstacle is determined.
-  enum class Position { FIXED, DRAWN, BETWEEN };
-  static Position positionOf(const ObstacleGroup& group);
-
   void placeRecorded();
   void recordFixedGoals();
-  void placeObstacles(Position position);
-  Vector2 drawStart(const ObstacleGroup& group, const Label& label);
-  Obstacle drawObstacle(const ObstacleGroup& group, const Label& label);
-  ObstaclePath drawPath(const ObstacleGroup& group, const Vector2& start, const Label& label);
 
   /// What is demanded of goals that are drawn, as long as there is room.
   struct Demands {
@@ -102,9 +80,7 @@ class Placement {
   void completeAgents();
   Vector2 drawPosition(const AgentGroup& group, const AgentStart& agent, int tries);
   void completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, Demands& demands);
-  bool areConnected(const Vector2& from, const Vector2& to) const;
   bool drawGoals(const AgentGroup& group, AgentStart& agent, const Demands& demands, int& unconnected);
-  void requireWay(const AgentGroup& group, const Label& label) const;
 
   const Scenario& scenario_;
   const StopRequest& stop_;
@@ -128,21 +104,17 @@ Scene Placement::place() {
   scene_.obstacles.resize(obstacle_count, {ObstaclePath::atRest(Vector2::Zero()), 0.0});
   drawKinds();
   recordFixedGoals();
-  placeObstacles(Position::FIXED);
+  placeObstacles(scenario_, ObstaclePosition::FIXED, random_, stop_, placed_, scene_);
   placeRecorded();
   placeFixedAgents();
   placeRobots(scenario_, true, robot_random_, placed_, scene_);
   requireFreeGoals(scenario_, placed_);
-  placeObstacles(Position::DRAWN);
+  placeObstacles(scenario_, ObstaclePosition::DRAWN, random_, stop_, placed_, scene_);
   completeAgents();
-  placeObstacles(Position::BETWEEN);
+  placeObstacles(scenario_, ObstaclePosition::BETWEEN, random_, stop_, placed_, scene_);
   placeRobots(scenario_, false, robot_random_, placed_, scene_);
   assignGroups(scenario_, scene_);
   return std::move(scene_);
-}
-
-void Placement::fail(const Label& label, const std::string& problem) const {
-  throw InputError(scenario_.source + ", line " + std::to_string(label.line) + ": " + problem);
 }
 
 void Placement::recordFixedGoals() {
@@ -170,62 +142,6 @@ void Placement::placeRecorded() {
   }
 }
 
-Placement::Position Placement::positionOf(const ObstacleGroup& group) {
-  if (group.between) return Position::BETWEEN;
-  return group.position.isFixed() ? Position::FIXED : Position::DRAWN;
-}
-
-void Placement::placeObstacles(Position position) {
-  forEachBody("obstacles", scenario_.obstacles, stop_,
-              [&](const ObstacleGroup& group, const Label& label, std::size_t index) {
-                if (positionOf(group) != position) return;
-                const Obstacle obstacle = drawObstacle(group, label);
-                placed_.add(label, obstacle.path.position(0.0), obstacle.radius, !obstacle.path.moves());
-                scene_.obstacles[index] = obstacle;
-              });
-}
-
-Vector2 Placement::drawStart(const ObstacleGroup& group, const Label& label) {
-  if (!group.between) return group.position.draw(random_, scene_.free_space.get());
-  if (group.between->agent >= scene_.agents.size()) {
-    fail(label, label.text() + ".position.between.agent: expected the number of an agent, 0 to " +
-                    std::to_string(scene_.agents.size() - 1) + ", got " + std::to_string(group.between->agent));
-  }
-  return group.between->draw(scene_.agents[group.between->agent], random_);
-}
-
-Obstacle Placement::drawObstacle(const ObstacleGroup& group, const Label& label) {
-  const bool rests = group.motion == ObstaclePath::Kind::AT_REST;
-  for (int tries = 0; tries < MAX_TRIES; ++tries) {
-    const Vector2 start = drawStart(group, label);
-    const double radius = group.radius.draw(random_);
-    const bool fits = positionOf(group) == Position::FIXED ||
-                      (!placed_.findBlocker(start, radius, DRAWN_GAP) && !(rests && placed_.isNearGoal(start, radius)));
-    if (fits) return {drawPath(group, start, label), radius};
-  }
-  fail(label, label.text() + ": no free place found in " + std::to_string(MAX_TRIES) + " tries");
-}
-
-ObstaclePath Placement::drawPath(const ObstacleGroup& group, const Vector2& start, const Label& label) {
-  if (group.motion == ObstaclePath::Kind::AT_REST) {
-    return ObstaclePath::atRest(start);
-  }
-  if (group.motion == ObstaclePath::Kind::STRAIGHT) {
-    return ObstaclePath::straight(start, group.velocity);
-  }
-  std::vector<Vector2> points = {start};
-  for (const Region& waypoint : group.waypoints) {
-    points.push_back(waypoint.draw(random_, scene_.free_space.get()));
-  }
-  const double speed = group.speed.draw(random_);
-  try {
-    const bool loop = group.motion == ObstaclePath::Kind::LOOP;
-    return loop ? ObstaclePath::loop(points, speed) : ObstaclePath::toAndFro(points, speed);
-  } catch (const InputError& error) {
-    fail(label, label.text() + ": " + error.what());
-  }
-}
-
 void Placement::drawKinds() {
   forEachBody("agents", scenario_.agents, stop_,
               [&](const AgentGroup& group, const Label& /*label*/, std::size_t index) {
@@ -243,7 +159,7 @@ void Placement::placeFixedAgents() {
     agent.position = group.position.first;
     if (!group.radius_of_kind) agent.radius = group.radius.draw(random_);
     if (const auto blocker = placed_.findBlocker(agent.position, agent.radius, -TOUCH_TOLERANCE)) {
-      fail(label, overlapText(label.text(), blocker->name, blocker->depth));
+      refuse(scenario_, label, overlapText(label.text(), blocker->name, blocker->depth));
     }
     placed_.add(label, agent.position, agent.radius, false);
   });
@@ -277,19 +193,6 @@ void Placement::completeAgents() {
   });
 }
 
-/// An agent that has arrived before it walks counts as a success. What is drawn is drawn so that this does not happen.
-void Placement::requireWay(const AgentGroup& group, const Label& label) const {
-  if (group.route || group.leader) return;
-  const bool goal_is_fixed = group.opposite || group.goals.front().isFixed();
-  if (!group.position.isFixed() || !goal_is_fixed) return;
-  const Vector2& start = group.position.first;
-  const Vector2 goal = group.opposite ? Vector2(2.0 * *group.opposite - start) : group.goals.front().first;
-  const double distance = (goal - start).norm();
-  if (distance > scenario_.goal_tolerance) return;
-  fail(label, label.text() + ": its goal is " + toText(distance) + " m from its start, within goal_tolerance (" +
-                  toText(scenario_.goal_tolerance) + " m)");
-}
-
 /// A place in the region of the entry; for those who walk with another agent of the entry beside that one, if there is
 /// room.
 Vector2 Placement::drawPosition(const AgentGroup& group, const AgentStart& agent, int tries) {
@@ -304,7 +207,7 @@ Vector2 Placement::drawPosition(const AgentGroup& group, const AgentStart& agent
 }
 
 void Placement::completeAgent(const AgentGroup& group, const Label& label, AgentStart& agent, Demands& demands) {
-  requireWay(group, label);
+  requireWay(scenario_, group, label);
   const bool placed = group.position.isFixed();
   int unconnected = 0;  // tries
   for (int tries = 0; tries < MAX_TRIES; ++tries) {
@@ -328,13 +231,8 @@ void Placement::completeAgent(const AgentGroup& group, const Label& label, Agent
     }
     return;
   }
-  fail(label, label.text() + ": no free place for it and its goal found in " + std::to_string(MAX_TRIES) + " tries");
-}
-
-/// Whether an agent can walk from one place of the map to another.
-bool Placement::areConnected(const Vector2& from, const Vector2& to) const {
-  const std::uint32_t component = scene_.free_space->component(from);
-  return component != FreeSpace::NONE && component == scene_.free_space->component(to);
+  refuse(scenario_, label,
+         label.text() + ": no free place for it and its goal found in " + std::to_string(MAX_TRIES) + " tries");
 }
 
 bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, const Demands& demands, int& unconnected) {
@@ -355,7 +253,7 @@ bool Placement::drawGoals(const AgentGroup& group, AgentStart& agent, const Dema
       return false;
     }
     const bool anywhere = drawn && !group.opposite && group.goals[i].kind == Region::Kind::FREE;
-    if ((anywhere || is_anywhere) && !areConnected(from, goal)) return false;
+    if ((anywhere || is_anywhere) && !areConnected(*scene_.free_space, from, goal)) return false;
     const bool needs_way = demands.connected && group.reach && (drawn || from_drawn);
     if (needs_way && !group.reach->connects(from, goal)) {
       ++unconnected;

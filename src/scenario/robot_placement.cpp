@@ -34,16 +34,13 @@ class RobotPlacement {
       const bool is_fixed = group.position.isFixed() && (!group.heading || group.heading->isFixed());
       const bool are_goals_fixed =
           std::all_of(group.goals.begin(), group.goals.end(), [](const Region& goal) { return goal.isFixed(); });
-      if (is_fixed && are_goals_fixed) fail(label, label.text() + " " + problem);
+      if (is_fixed && are_goals_fixed) refuse(scenario_, label, label.text() + " " + problem);
     }
-    fail(label, label.text() + ": no free place for it and its goal found in " + std::to_string(MAX_TRIES) + " tries");
+    refuse(scenario_, label,
+           label.text() + ": no free place for it and its goal found in " + std::to_string(MAX_TRIES) + " tries");
   }
 
  private:
-  [[noreturn]] void fail(const Label& label, const std::string& problem) const {
-    throw InputError(scenario_.source + ", line " + std::to_string(label.line) + ": " + problem);
-  }
-
   RobotStart draw(const RobotGroup& group) {
     RobotStart robot = group.start;
     robot.position = group.position.draw(random_, scene_.free_space.get());
@@ -76,7 +73,8 @@ class RobotPlacement {
       const Region& goal = group.goals[i];
       if (!goal.isFixed() || fitsNear(goal.first, group.start)) continue;
       const std::string field = group.goals.size() == 1 ? ".goal" : ".goals[" + std::to_string(i) + "]";
-      fail(label, label.text() + field + ": a robot of this footprint does not fit at " + placeText(goal.first));
+      refuse(scenario_, label,
+             label.text() + field + ": a robot of this footprint does not fit at " + placeText(goal.first));
     }
   }
 
@@ -107,8 +105,7 @@ class RobotPlacement {
   bool areConnected(const Vector2& from, const Vector2& goal, const RobotGroup& group, std::size_t i) const {
     const Region& before = i == 0 ? group.position : group.goals[i - 1];
     if (before.kind != Region::Kind::FREE && group.goals[i].kind != Region::Kind::FREE) return true;
-    const std::uint32_t component = scene_.free_space->component(from);
-    return component != FreeSpace::NONE && component == scene_.free_space->component(goal);
+    return crowd::areConnected(*scene_.free_space, from, goal);
   }
 
   std::string blockerOf(const RobotStart& robot, const RobotGroup& group, std::size_t index) const {

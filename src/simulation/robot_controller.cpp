@@ -4,11 +4,11 @@
 
 #include "common/text/quotes.h"
 #include "common/text/suggestions.h"
-#include "robots/learned_robot.h"
-#include "robots/orca_robot.h"
-#include "robots/reactive_rule.h"
-#include "robots/social_force_robot.h"
-#include "robots/steering.h"
+#include "robots/controllers/learned_robot.h"
+#include "robots/controllers/orca_robot.h"
+#include "robots/controllers/reactive_rule.h"
+#include "robots/controllers/social_force_robot.h"
+#include "robots/controllers/steering.h"
 
 namespace crowd {
 namespace {

@@ -12,7 +12,6 @@
 #include "learning/q_table_file.h"
 #include "learning/q_table_names.h"
 #include "metrics_table.h"
-#include "progress_bar.h"
 #include "rank_tools.h"
 #include "ranks/distributed_evaluation.h"
 #include "ranks/mpi_communicator.h"
@@ -23,6 +22,7 @@
 #include "simulation/evaluation/metrics.h"
 #include "simulation/evaluation/robot_record.h"
 #include "simulation/robot_controller.h"
+#include "tools/terminal/progress_bar.h"
 #include "training/training_config.h"
 #include "web_server.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "progress_bar.h"
 #include "ranks/distributed_evaluation.h"
+#include "tools/terminal/progress_bar.h"
 #include "training/training.h"
 
 namespace crowd {

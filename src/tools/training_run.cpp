@@ -17,11 +17,11 @@
 #include "learning/q_table_names.h"
 #include "rank_tools.h"
 #include "social_crowd/errors.h"
-#include "terminal.h"
+#include "tools/terminal/terminal.h"
+#include "tools/terminal/training_display.h"
 #include "training/training.h"
 #include "training/training_config.h"
 #include "training_checks.h"
-#include "training_display.h"
 
 namespace crowd {
 namespace {

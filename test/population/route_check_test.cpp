@@ -1,4 +1,4 @@
-#include "population/route_check.h"
+#include "population/changes/route_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "robots/learned_robot.h"
+#include "robots/controllers/learned_robot.h"
 
 #include <gtest/gtest.h>
 
-#include "robots/steering.h"
+#include "robots/controllers/steering.h"
 #include "simulation/episode.h"
 #include "simulation/robot_controller.h"
 #include "support/anticipation.h"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "robots/orca_robot.h"
-#include "robots/social_force_robot.h"
+#include "robots/controllers/orca_robot.h"
+#include "robots/controllers/social_force_robot.h"
 #include "simulation/episode.h"
 #include "simulation/robot_controller.h"
 #include "support/anticipation.h"

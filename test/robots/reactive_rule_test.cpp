@@ -1,4 +1,4 @@
-#include "robots/reactive_rule.h"
+#include "robots/controllers/reactive_rule.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "robots/social_force.h"
+#include "robots/controllers/social_force.h"
 
 #include <gtest/gtest.h>
 

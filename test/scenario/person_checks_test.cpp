@@ -1,4 +1,4 @@
-#include "scenario/person_checks.h"
+#include "scenario/reading/person_checks.h"
 
 #include <gtest/gtest.h>
 

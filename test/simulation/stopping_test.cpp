@@ -9,7 +9,7 @@
 
 #include "common/stop_request.h"
 #include "ranks/distributed_evaluation.h"
-#include "robots/robot_way.h"
+#include "robots/controllers/robot_way.h"
 #include "simulation/crowd_decider.h"
 #include "simulation/episode.h"
 #include "simulation/evaluation/evaluation.h"

@@ -1,4 +1,4 @@
-#include "tools/episode_curve.h"
+#include "tools/terminal/episode_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tools/terminal.h"
+#include "tools/terminal/terminal.h"
 
 namespace crowd::line_block_test {
 namespace {

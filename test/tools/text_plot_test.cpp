@@ -1,4 +1,4 @@
-#include "tools/text_plot.h"
+#include "tools/terminal/text_plot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/training_display.h"
+#include "tools/terminal/training_display.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/training_plot.h"
+#include "tools/terminal/training_plot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,9 @@
 #include "ros/controller/crowd_controller.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "common/files/files.h"
-#include "common/text/numbers.h"
 #include "common/text/quotes.h"
 #include "maps/map_walls.h"
 #include "ros/messages/conversions.h"
@@ -13,7 +11,6 @@
 #include "ros/messages/topic_defaults.h"
 #include "ros/node/launch_end.h"
 #include "scenario/reading/scenario_reader.h"
-#include "simulation/evaluation/metrics.h"
 
 namespace crowd {
 namespace {
@@ -74,16 +71,7 @@ void CrowdController::run() {
 }
 
 void CrowdController::linger() {
-  if (metrics_.episodes() > 1) {
-    const double percent = metrics_.successPercent();
-    const std::string success = std::isnan(percent) ? "-" : toFixedText(percent, 2);
-    ROS_INFO(
-        "%lu episodes: success %s %%, contact %.2f %%, collision %.2f %%, clean %.1f %%, path ratio %.3f, time ratio "
-        "%.3f",
-        static_cast<unsigned long>(metrics_.episodes()), success.c_str(), metrics_.contactPercent(),
-        metrics_.collisionPercent(), metrics_.cleanPercent(), metrics_.pathRatio(), metrics_.timeRatio());
-    if (!robot_summary_.text().empty()) ROS_INFO("all episodes, %s", robot_summary_.text().c_str());
-  }
+  results_.logAll();
   // ROS does not report when a message has left the process.
   serveUntil(Clock::now() + FLUSH);
   if (parameters_.ends_launch && !loop_.isClosed() && endLaunch()) awaitShutdown(Clock::now() + LAUNCH_END);
@@ -163,14 +151,7 @@ void CrowdController::beginEpisode() {
   broadcaster_.publishClock();
   broadcaster_.publishScenario(*episode_, instance_);
   broadcaster_.publishAgentsNow(*episode_);
-  warnOfWays(episode_->result(), "at its start");
-}
-
-void CrowdController::warnOfWays(const EpisodeResult& result, const char* when) const {
-  const std::string warning = result.wayWarning();
-  if (warning.empty()) return;
-  ROS_WARN("episode %lu (%s), %s: %s", static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), when,
-           warning.c_str());
+  warnOfWays(episode_->result(), episode_->number(), "at its start");
 }
 
 void CrowdController::endEpisode() {
@@ -179,36 +160,11 @@ void CrowdController::endEpisode() {
   EpisodeResult result = episode_->result();
   robots_.writeInput(result.robots);
   broadcaster_.publishResult(result, episode_->number(), instance_, answers_.missedCount(), answers_.droppedCount());
-  metrics_.add(result);
-  robot_summary_.add(result);
   headings_ = result.headings();
-  logResult(result);
+  results_.add(result, episode_->number(), instance_, answers_);
   if (trajectory_file_) trajectory_file_->append(trajectory_);
   ++instance_;
   if (++ended_episodes_ != parameters_.episodes && robots_.awaitLast()) beginEpisode();
-}
-
-void CrowdController::logResult(const EpisodeResult& result) {
-  Metrics metrics;
-  metrics.add(result);
-  ROS_INFO(
-      "episode %lu (%s, instance %lu): %lu ticks, %zu of %zu agents arrived, %zu in contact, %zu in collision, path "
-      "ratio %.3f, "
-      "time ratio %.3f, %lu answers missed, %lu dropped",
-      static_cast<unsigned long>(episode_->number()), result.scenario.c_str(), static_cast<unsigned long>(instance_),
-      static_cast<unsigned long>(result.ticks), result.arrivedCount(), result.agentCount(), result.touchedCount(),
-      result.collidedCount(), metrics.pathRatio(), metrics.timeRatio(),
-      static_cast<unsigned long>(answers_.missedCount()), static_cast<unsigned long>(answers_.droppedCount()));
-  RobotSummary robots;
-  robots.add(result);
-  if (!robots.text().empty())
-    ROS_INFO("episode %lu, %s", static_cast<unsigned long>(episode_->number()), robots.text().c_str());
-  for (const RobotResult& robot : result.robots) {
-    if (robot.input.navigation == RobotInput().navigation) continue;
-    ROS_INFO("episode %lu, robot '%s': navigation: %s", static_cast<unsigned long>(episode_->number()),
-             robot.name.c_str(), robot.input.navigation.c_str());
-  }
-  warnOfWays(result, "at its end");
 }
 
 void CrowdController::waitWhilePaused() {

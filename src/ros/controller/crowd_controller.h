@@ -20,6 +20,7 @@
 #include "ros/controller/controller_parameters.h"
 #include "ros/controller/controller_status.h"
 #include "ros/controller/crowd_broadcaster.h"
+#include "ros/controller/result_log.h"
 #include "ros/node/diagnostics_publisher.h"
 #include "ros/node/main_loop.h"
 #include "ros/node/reconfigure_server.h"
@@ -27,8 +28,6 @@
 #include "ros/robots/robot_interface.h"
 #include "scenario/scenario.h"
 #include "simulation/episode.h"
-#include "simulation/evaluation/metrics.h"
-#include "simulation/evaluation/robot_record.h"
 #include "simulation/evaluation/trajectory.h"
 
 namespace crowd {
@@ -106,9 +105,6 @@ class CrowdController final : private Decider {
   bool waitFor(const std::future<void>& done, std::chrono::milliseconds timeout) const;
   std::string place() const;
   social_crowd::ControllerStatus status() const;
-  void logResult(const EpisodeResult& result);
-  /// Logs what is wrong with the ways of the present episode, if anything is.
-  void warnOfWays(const EpisodeResult& result, const char* when) const;
 
   void loadScenario(const std::string& name, social_crowd::LoadScenario::Response& response);
   void saveScenario(const social_crowd::SaveScenario::Request& request, social_crowd::SaveScenario::Response& response);
@@ -137,8 +133,7 @@ class CrowdController final : private Decider {
   std::uint64_t ended_episodes_ = 0;
   std::vector<double> headings_;  // of the agents at the end of the last episode [rad]
   bool cut_off_ = false;          // the episode was replaced during a tick
-  Metrics metrics_;
-  RobotSummary robot_summary_;
+  ResultLog results_;
 
   Clock next_tick_;
   std::uint64_t ticks_ = 0;      // walked since the start of the node

@@ -29,15 +29,15 @@ class Writer {
  public:
   explicit Writer(std::uint8_t* place) : place_(place) {}
 
-  template <typename... Numbers>
-  void put(const Numbers&... numbers) {
-    (putOne(numbers), ...);
+  template <typename... Fields>
+  void operator()(const Fields&... fields) {
+    (put(fields), ...);
   }
-  void put(const Vector2& v) { put(v.x(), v.y()); }
 
  private:
+  void put(const Vector2& v) { (*this)(v.x(), v.y()); }
   template <typename Number>
-  void putOne(const Number& number) {
+  void put(const Number& number) {
     std::memcpy(place_, &number, sizeof(number));
     place_ += sizeof(number);
   }
@@ -50,87 +50,49 @@ class Reader {
  public:
   explicit Reader(const std::uint8_t* place) : place_(place) {}
 
+  template <typename... Fields>
+  void operator()(Fields&... fields) {
+    (take(fields), ...);
+  }
+
+ private:
+  void take(Vector2& v) { (*this)(v.x(), v.y()); }
+  void take(bool& flag) { flag = *place_++ != 0; }
   template <typename Number>
   void take(Number& number) {
     std::memcpy(&number, place_, sizeof(number));
     place_ += sizeof(number);
   }
-  void take(Vector2& v) {
-    take(v.x());
-    take(v.y());
-  }
-  void take(bool& flag) { flag = takeByte() != 0; }
-  std::uint8_t takeByte() { return *place_++; }
 
- private:
   const std::uint8_t* place_;
 };
 
-void put(Writer& writer, const AgentPerception& self, std::uint32_t first_neighbour, std::uint32_t first_wall) {
-  writer.put(self.agent);
-  writer.put(self.pose.position);
-  writer.put(self.pose.heading);
-  writer.put(self.velocity);
-  writer.put(self.max_speed, self.radius);
-  writer.put(self.goal);
-  writer.put(self.goal_number, std::uint8_t{self.arrived}, std::uint8_t{self.acted}, std::uint8_t{self.held});
-  writer.put(first_neighbour, self.neighbour_count, first_wall, self.wall_count);
+// The fields of elements of lists, in the order of the wire, for a Writer or a Reader.
+
+template <typename Stream>
+void pass(Stream& stream, AgentPerception& self) {
+  stream(self.agent, self.pose.position, self.pose.heading, self.velocity, self.max_speed, self.radius, self.goal,
+         self.goal_number, self.arrived, self.acted, self.held, self.first_neighbour, self.neighbour_count,
+         self.first_wall, self.wall_count);
 }
 
-void take(Reader& reader, AgentPerception& self) {
-  reader.take(self.agent);
-  reader.take(self.pose.position);
-  reader.take(self.pose.heading);
-  reader.take(self.velocity);
-  reader.take(self.max_speed);
-  reader.take(self.radius);
-  reader.take(self.goal);
-  reader.take(self.goal_number);
-  reader.take(self.arrived);
-  reader.take(self.acted);
-  reader.take(self.held);
-  reader.take(self.first_neighbour);
-  reader.take(self.neighbour_count);
-  reader.take(self.first_wall);
-  reader.take(self.wall_count);
+template <typename Stream>
+void pass(Stream& stream, Segment& wall) {
+  stream(wall.from, wall.to);
 }
 
-void put(Writer& writer, const Neighbour& neighbour) {
-  writer.put(static_cast<std::uint8_t>(neighbour.kind));
-  writer.put(neighbour.position);
-  writer.put(neighbour.velocity);
-  writer.put(neighbour.radius);
+template <typename Stream>
+void pass(Stream& stream, AgentAction& action) {
+  stream(action.agent, action.action.rotation, action.action.speed_fraction);
 }
 
 Neighbour takeNeighbour(Reader& reader) {
   Neighbour neighbour;
-  const std::uint8_t kind = reader.takeByte();
+  std::uint8_t kind = 0;
+  reader(kind, neighbour.position, neighbour.velocity, neighbour.radius);
   const bool is_known = kind <= social_crowd::Neighbour::UNYIELDED_ROBOT;
   neighbour.kind = is_known ? static_cast<NeighbourKind>(kind) : NeighbourKind::OBSTACLE;
-  reader.take(neighbour.position);
-  reader.take(neighbour.velocity);
-  reader.take(neighbour.radius);
   return neighbour;
-}
-
-void put(Writer& writer, const Segment& wall) {
-  writer.put(wall.from);
-  writer.put(wall.to);
-}
-
-void take(Reader& reader, Segment& wall) {
-  reader.take(wall.from);
-  reader.take(wall.to);
-}
-
-void put(Writer& writer, const AgentAction& action) {
-  writer.put(action.agent, action.action.rotation, action.action.speed_fraction);
-}
-
-void take(Reader& reader, AgentAction& action) {
-  reader.take(action.agent);
-  reader.take(action.action.rotation);
-  reader.take(action.action.speed_fraction);
 }
 
 /// Writes the length of a list and reserves space for its elements.
@@ -142,7 +104,7 @@ Writer beginList(OStream& stream, std::size_t count, std::uint32_t size) {
 template <typename Element>
 void putList(OStream& stream, const std::vector<Element>& list, std::uint32_t size) {
   Writer writer = beginList(stream, list.size(), size);
-  for (const Element& element : list) put(writer, element);
+  for (Element element : list) pass(writer, element);
 }
 
 /// Reads the length of a list; the reader is at its first element. @throws StreamOverrunException if the message is too
@@ -158,7 +120,7 @@ void takeList(IStream& stream, std::vector<Element>& list, std::uint32_t size) {
   std::uint32_t count = 0;
   Reader reader = openList(stream, count, size);
   list.resize(count);
-  for (Element& element : list) take(reader, element);
+  for (Element& element : list) pass(reader, element);
 }
 
 void takeIntents(IStream& stream, NeighbourList& neighbours) {
@@ -167,8 +129,7 @@ void takeIntents(IStream& stream, NeighbourList& neighbours) {
   for (std::size_t i = 0; i < neighbours.size() && count > 0; ++i) {
     Neighbour neighbour = neighbours[i];
     if (!isRobot(neighbour.kind)) continue;
-    reader.take(neighbour.intent.comfort);
-    reader.take(neighbour.intent.wanted);
+    reader(neighbour.intent.comfort, neighbour.intent.wanted);
     neighbours.set(i, neighbour);
     --count;
   }
@@ -222,26 +183,28 @@ void putLists(OStream& stream, const PerceptionsMessage& message) {
   Writer agents = beginList(stream, counts.agents, WIRE_SELF);
   Counts first;
   forEachRow(message, [&](std::size_t row) {
-    const AgentPerception& self = content.agents[row];
-    put(agents, self, first.neighbours, first.walls);
+    AgentPerception self = content.agents[row];
+    self.first_neighbour = first.neighbours;
+    self.first_wall = first.walls;
+    pass(agents, self);
     first.neighbours += self.neighbour_count;
     first.walls += self.wall_count;
   });
   Writer neighbours = beginList(stream, counts.neighbours, WIRE_NEIGHBOUR);
   forEachRow(message, [&](std::size_t row) {
-    for (const Neighbour& neighbour : Perception(content, row).neighbours) put(neighbours, neighbour);
+    for (const Neighbour& neighbour : Perception(content, row).neighbours) {
+      neighbours(static_cast<std::uint8_t>(neighbour.kind), neighbour.position, neighbour.velocity, neighbour.radius);
+    }
   });
   Writer walls = beginList(stream, counts.walls, WIRE_WALL);
   forEachRow(message, [&](std::size_t row) {
-    for (const Segment& wall : Perception(content, row).walls) put(walls, wall);
+    for (Segment wall : Perception(content, row).walls) pass(walls, wall);
   });
   Writer robots = beginList(stream, counts.robots, WIRE_INTENT);
   if (counts.robots == 0) return;
   forEachRow(message, [&](std::size_t row) {
     for (const Neighbour& neighbour : Perception(content, row).neighbours) {
-      if (!isRobot(neighbour.kind)) continue;
-      robots.put(neighbour.intent.comfort);
-      robots.put(neighbour.intent.wanted);
+      if (isRobot(neighbour.kind)) robots(neighbour.intent.comfort, neighbour.intent.wanted);
     }
   });
 }
@@ -251,6 +214,14 @@ void putLists(OStream& stream, const PerceptionsMessage& message) {
 }  // namespace crowd
 
 namespace ros::serialization {
+namespace {
+
+template <typename Stream, typename... Fields>
+void next(Stream& stream, Fields&&... fields) {
+  (stream.next(fields), ...);
+}
+
+}  // namespace
 
 using crowd::ActionsMessage;
 using crowd::Perceptions;
@@ -258,22 +229,11 @@ using crowd::PerceptionsMessage;
 
 void Serializer<PerceptionsMessage>::write(OStream& stream, const PerceptionsMessage& message) {
   const Perceptions& content = message.content();
-  stream.next(message.header);
-  stream.next(content.episode);
-  stream.next(content.tick);
-  stream.next(content.turn);
-  stream.next(content.tick_duration);
-  stream.next(message.run);
-  stream.next(std::uint8_t{content.last});
-  stream.next(message.vision.radius);
-  stream.next(message.vision.max_neighbours);
-  stream.next(std::uint8_t{message.vision.occlusion});
-  stream.next(crowd::wallDistanceField(message.vision));
+  const crowd::Vision& vision = message.vision;
   const crowd::MotionFields motion = crowd::toFields(content.motion);
-  stream.next(message.motion_source);
-  stream.next(motion.acceleration);
-  stream.next(motion.braking);
-  stream.next(motion.turn_rate);
+  next(stream, message.header, content.episode, content.tick, content.turn, content.tick_duration, message.run,
+       std::uint8_t{content.last}, vision.radius, vision.max_neighbours, std::uint8_t{vision.occlusion},
+       crowd::wallDistanceField(vision), message.motion_source, motion.acceleration, motion.braking, motion.turn_rate);
   crowd::putLists(stream, message);
 }
 
@@ -281,30 +241,19 @@ void Serializer<PerceptionsMessage>::read(IStream& stream, PerceptionsMessage& m
   message.shared.reset();
   message.rows.reset();
   Perceptions& content = message.received;
+  crowd::Vision& vision = message.vision;
   std::uint8_t last = 0;
   std::uint8_t occlusion = 0;
   double wall_distance = 0.0;
-  stream.next(message.header);
-  stream.next(content.episode);
-  stream.next(content.tick);
-  stream.next(content.turn);
-  stream.next(content.tick_duration);
-  stream.next(message.run);
-  stream.next(last);
-  stream.next(message.vision.radius);
-  stream.next(message.vision.max_neighbours);
-  stream.next(occlusion);
-  stream.next(wall_distance);
   crowd::MotionFields motion;
-  stream.next(message.motion_source);
-  stream.next(motion.acceleration);
-  stream.next(motion.braking);
-  stream.next(motion.turn_rate);
+  next(stream, message.header, content.episode, content.tick, content.turn, content.tick_duration, message.run, last,
+       vision.radius, vision.max_neighbours, occlusion, wall_distance, message.motion_source, motion.acceleration,
+       motion.braking, motion.turn_rate);
   content.last = last != 0;
-  message.vision.occlusion = occlusion != 0;
-  message.vision.wall_distance = crowd::wallDistanceOf(wall_distance);
   content.motion = crowd::fromFields(motion);
-  message.vision.motion = crowd::requestOf(message.motion_source, content.motion);
+  vision.occlusion = occlusion != 0;
+  vision.wall_distance = crowd::wallDistanceOf(wall_distance);
+  vision.motion = crowd::requestOf(message.motion_source, content.motion);
   crowd::takeList(stream, content.agents, crowd::WIRE_SELF);
   crowd::takeNeighbours(stream, content.neighbours);
   crowd::takeList(stream, content.walls, crowd::WIRE_WALL);
@@ -319,20 +268,12 @@ std::uint32_t Serializer<PerceptionsMessage>::serializedLength(const Perceptions
 }
 
 void Serializer<ActionsMessage>::write(OStream& stream, const ActionsMessage& message) {
-  stream.next(message.header);
-  stream.next(message.content.episode);
-  stream.next(message.content.tick);
-  stream.next(message.run);
-  stream.next(message.node);
+  next(stream, message.header, message.content.episode, message.content.tick, message.run, message.node);
   crowd::putList(stream, message.content.agents, crowd::WIRE_ACTION);
 }
 
 void Serializer<ActionsMessage>::read(IStream& stream, ActionsMessage& message) {
-  stream.next(message.header);
-  stream.next(message.content.episode);
-  stream.next(message.content.tick);
-  stream.next(message.run);
-  stream.next(message.node);
+  next(stream, message.header, message.content.episode, message.content.tick, message.run, message.node);
   crowd::takeList(stream, message.content.agents, crowd::WIRE_ACTION);
 }
 

@@ -64,9 +64,9 @@ namespace ros {
 namespace message_traits {
 
 /// Trait with the value of the wire type.
-template <template <typename> class Trait, typename Message, typename Wire>
+template <template <typename> class Trait, typename Message>
 struct TraitOf {
-  static const char* value() { return Trait<Wire>::value(); }
+  static const char* value() { return Trait<typename Message::Wire>::value(); }
   static const char* value(const Message& /*message*/) { return value(); }
 };
 
@@ -75,25 +75,22 @@ struct IsMessage<crowd::PerceptionsMessage> : TrueType {};
 template <>
 struct HasHeader<crowd::PerceptionsMessage> : TrueType {};
 template <>
-struct MD5Sum<crowd::PerceptionsMessage> : TraitOf<MD5Sum, crowd::PerceptionsMessage, crowd::PerceptionsMessage::Wire> {
-};
+struct MD5Sum<crowd::PerceptionsMessage> : TraitOf<MD5Sum, crowd::PerceptionsMessage> {};
 template <>
-struct DataType<crowd::PerceptionsMessage>
-    : TraitOf<DataType, crowd::PerceptionsMessage, crowd::PerceptionsMessage::Wire> {};
+struct DataType<crowd::PerceptionsMessage> : TraitOf<DataType, crowd::PerceptionsMessage> {};
 template <>
-struct Definition<crowd::PerceptionsMessage>
-    : TraitOf<Definition, crowd::PerceptionsMessage, crowd::PerceptionsMessage::Wire> {};
+struct Definition<crowd::PerceptionsMessage> : TraitOf<Definition, crowd::PerceptionsMessage> {};
 
 template <>
 struct IsMessage<crowd::ActionsMessage> : TrueType {};
 template <>
 struct HasHeader<crowd::ActionsMessage> : TrueType {};
 template <>
-struct MD5Sum<crowd::ActionsMessage> : TraitOf<MD5Sum, crowd::ActionsMessage, crowd::ActionsMessage::Wire> {};
+struct MD5Sum<crowd::ActionsMessage> : TraitOf<MD5Sum, crowd::ActionsMessage> {};
 template <>
-struct DataType<crowd::ActionsMessage> : TraitOf<DataType, crowd::ActionsMessage, crowd::ActionsMessage::Wire> {};
+struct DataType<crowd::ActionsMessage> : TraitOf<DataType, crowd::ActionsMessage> {};
 template <>
-struct Definition<crowd::ActionsMessage> : TraitOf<Definition, crowd::ActionsMessage, crowd::ActionsMessage::Wire> {};
+struct Definition<crowd::ActionsMessage> : TraitOf<Definition, crowd::ActionsMessage> {};
 
 }  // namespace message_traits
 

@@ -3,7 +3,7 @@
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include "common/text/quotes.h"
-#include "robots/reactive_rule.h"
+#include "robots/controllers/reactive_rule.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
 #include "ros/messages/topic_defaults.h"

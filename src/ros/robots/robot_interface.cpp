@@ -3,7 +3,6 @@
 #include <tf2/utils.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "common/text/quotes.h"
@@ -36,9 +35,8 @@ RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, cons
                                std::function<ros::Time()> clock)
     : node_(node),
       clock_(clock),
-      publish_localisation_(parameters.publish_localisation),
+      transforms_(parameters),
       visible_people_only_(parameters.visible_people_only),
-      odometry_rate_(parameters.odometry_rate),
       commands_(loop, parameters),
       poses_(node, std::move(clock)) {}
 
@@ -93,8 +91,8 @@ void RobotInterface::add(const RobotStart& start) {
   noteRobots();
   const ros::Time now = clock_();
   topics_.back()->publishGoal(robots()[id], now, true);
-  publishTransforms(now);
-  publishMounts(now);
+  transforms_.publish(robots(), *senses_, topics_, now);
+  transforms_.publishMounts(topics_, now);
 }
 
 void RobotInterface::remove(const std::string& name) {
@@ -105,8 +103,7 @@ void RobotInterface::remove(const std::string& name) {
   commands_.remove(id);
   navigation_.erase(navigation_.begin() + id);
   has_crashed_.erase(has_crashed_.begin() + id);
-  last_odometry_.erase(last_odometry_.begin() + id);
-  last_odom_.erase(last_odom_.begin() + id);
+  transforms_.remove(id);
   topics_.erase(topics_.begin() + id);
   for (RobotId later = id; later < topics_.size(); ++later) topics_[later]->setId(later);
   noteRobots();
@@ -124,9 +121,8 @@ void RobotInterface::noteRobots() {
 
 /// The topics of all robots together.
 void RobotInterface::advertiseAll() {
-  if (robots().empty() || transforms_) return;
-  transforms_.emplace();
-  static_transforms_.emplace();
+  if (robots().empty() || states_) return;
+  transforms_.advertise();
   states_ = node_.advertise<social_crowd::RobotStates>(names::ROBOTS, QUEUE,
                                                        [this](const ros::SingleSubscriberPublisher& subscriber) {
                                                          if (!robots().empty()) subscriber.publish(states(clock_()));
@@ -226,50 +222,11 @@ void RobotInterface::publish(const ros::Time& now, bool begins) {
   if (robots().empty()) return;
   // Goals come before the scans, which controllers answer.
   for (RobotId robot = 0; robot < robots().size(); ++robot) topics_[robot]->publishGoal(robots()[robot], now, begins);
-  if (!begins) publishBetween(now);
-  publishTransforms(now);
-  if (begins) publishMounts(now);
+  if (!begins) transforms_.publishBetween(episode_->world(), *senses_, topics_, now);
+  transforms_.publish(robots(), *senses_, topics_, now);
+  if (begins) transforms_.publishMounts(topics_, now);
   for (const auto& topics : topics_) topics->publish(episode_->world(), *senses_, now);
   if (states_.getNumSubscribers() > 0) states_.publish(states(now));
-}
-
-void RobotInterface::publishTransforms(const ros::Time& now) {
-  std::vector<geometry_msgs::TransformStamped> transforms;
-  last_odometry_.clear();
-  last_odom_.clear();
-  for (RobotId robot = 0; robot < robots().size(); ++robot) {
-    const Odometry& odometry = senses_->odometry(robot);
-    const Pose odom = composedPose(robots()[robot].pose, relativePose(odometry.pose, Pose()));
-    last_odometry_.push_back(odometry);
-    last_odom_.push_back(publish_localisation_ ? std::optional(odom) : std::nullopt);
-    topics_[robot]->addTransforms(last_odom_.back(), odometry, now, transforms);
-  }
-  if (!transforms.empty()) transforms_->sendTransform(transforms);
-}
-
-void RobotInterface::publishBetween(const ros::Time& now) {
-  const double tick = episode_->world().tickDuration();
-  const double count = std::max(1.0, std::round(tick * odometry_rate_));  // of times in a tick, its end included
-  between_.clear();
-  for (double i = 1.0; i < count; i += 1.0) {
-    const ros::Time time = now - ros::Duration(tick * (count - i) / count);
-    for (RobotId robot = 0; robot < robots().size(); ++robot) {
-      const Pose& from = last_odometry_[robot].pose;
-      const Twist twist = twistBetween(from, senses_->odometry(robot).pose, tick);
-      const Odometry odometry{drivePose(from, twist, tick * i / count), twist};
-      if (robots()[robot].start.drive == Drive::EXTERNAL) continue;
-      topics_[robot]->publishOdometry(odometry, senses_->covariance(robot), time);
-      topics_[robot]->addTransforms(last_odom_[robot], odometry, time, between_);
-    }
-  }
-  if (!between_.empty()) transforms_->sendTransform(between_);
-}
-
-void RobotInterface::publishMounts(const ros::Time& now) {
-  std::vector<geometry_msgs::TransformStamped> mounts;
-  mounts.reserve(topics_.size());
-  for (const auto& topics : topics_) mounts.push_back(topics->mountTransform(now));
-  static_transforms_->sendTransform(mounts);
 }
 
 social_crowd::RobotStates RobotInterface::states(const ros::Time& now) const {

@@ -4,12 +4,9 @@
 #include <social_crowd/RobotObservation.h>
 #include <social_crowd/RobotStates.h>
 #include <social_crowd/StepRobots.h>
-#include <tf2_ros/static_transform_broadcaster.h>
-#include <tf2_ros/transform_broadcaster.h>
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +16,7 @@
 #include "ros/controller/pose_collector.h"
 #include "ros/node/main_loop.h"
 #include "ros/robots/robot_topics.h"
+#include "ros/robots/robot_transforms.h"
 #include "simulation/episode.h"
 
 namespace crowd {
@@ -78,33 +76,23 @@ class RobotInterface {
   template <typename Change>
   bool change(RobotId robot, const char* what, const std::string& frame, const Change& change);
   void takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal);
-  void publishTransforms(const ros::Time& now);
-  /// Publishes odometry and transforms at times of the last tick, at ~odometry_rate.
-  void publishBetween(const ros::Time& now);
-  void publishMounts(const ros::Time& now);
   social_crowd::RobotStates states(const ros::Time& now) const;
 
   ros::NodeHandle node_;
   std::function<ros::Time()> clock_;
-  const bool publish_localisation_;
+  RobotTransforms transforms_;
   const bool visible_people_only_;
-  const double odometry_rate_;
   Episode* episode_ = nullptr;
   std::unique_ptr<RobotSenses> senses_;
   std::uint64_t scanned_changes_ = 0;                // Episode::changes() at the last scans
   std::vector<std::vector<RobotContact>> contacts_;  // by robot; empty: they are not collected
   CommandCollector commands_;
   PoseCollector poses_;
-  std::vector<Odometry> last_odometry_;                   // by robot: that of the tick before
-  std::vector<std::optional<Pose>> last_odom_;            // by robot: map -> odom that was published in the tick before
-  std::vector<geometry_msgs::TransformStamped> between_;  // scratch
-  std::vector<std::string> navigation_;                   // by robot: what it has said last; empty: nothing
-  std::vector<bool> has_crashed_;                         // by robot: its navigation, in this episode or before
-  std::vector<std::string> advertised_;                   // names and namespaces of the robots
+  std::vector<std::string> navigation_;  // by robot: what it has said last; empty: nothing
+  std::vector<bool> has_crashed_;        // by robot: its navigation, in this episode or before
+  std::vector<std::string> advertised_;  // names and namespaces of the robots
   std::vector<std::unique_ptr<RobotTopics>> topics_;
   ros::Publisher states_;
-  std::optional<tf2_ros::TransformBroadcaster> transforms_;
-  std::optional<tf2_ros::StaticTransformBroadcaster> static_transforms_;
 };
 
 }  // namespace crowd

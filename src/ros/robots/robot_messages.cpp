@@ -108,19 +108,15 @@ sensor_msgs::PointCloud2 toCloud(const ScanSpec& spec, const std::vector<float>&
   modifier.setPointCloud2FieldsByString(1, "xyz");
   const auto is_hit = [](float range) { return std::isfinite(range); };
   modifier.resize(static_cast<std::size_t>(std::count_if(ranges.begin(), ranges.end(), is_hit)));
-  sensor_msgs::PointCloud2Iterator<float> x(cloud, "x");
-  sensor_msgs::PointCloud2Iterator<float> y(cloud, "y");
-  sensor_msgs::PointCloud2Iterator<float> z(cloud, "z");
+  sensor_msgs::PointCloud2Iterator<float> place(cloud, "x");  // y and z are behind it
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (!is_hit(ranges[i])) continue;
     const Vector2 point =
         static_cast<double>(ranges[i]) * unitVector(spec.first_angle + static_cast<double>(i) * angleIncrement(spec));
-    *x = static_cast<float>(point.x());
-    *y = static_cast<float>(point.y());
-    *z = 0.0F;
-    ++x;
-    ++y;
-    ++z;
+    place[0] = static_cast<float>(point.x());
+    place[1] = static_cast<float>(point.y());
+    place[2] = 0.0F;
+    ++place;
   }
   cloud.is_dense = 1;
   return cloud;
@@ -134,21 +130,15 @@ sensor_msgs::PointCloud2 toCloud(const std::vector<ScanPoint>& points) {
                                 PointField::FLOAT32, "intensity", 1, PointField::FLOAT32, "ring", 1,
                                 PointField::UINT16);
   modifier.resize(points.size());
-  sensor_msgs::PointCloud2Iterator<float> x(cloud, "x");
-  sensor_msgs::PointCloud2Iterator<float> y(cloud, "y");
-  sensor_msgs::PointCloud2Iterator<float> z(cloud, "z");
-  sensor_msgs::PointCloud2Iterator<float> intensity(cloud, "intensity");
+  sensor_msgs::PointCloud2Iterator<float> numbers(cloud, "x");  // y, z and intensity are behind it
   sensor_msgs::PointCloud2Iterator<std::uint16_t> ring(cloud, "ring");
   for (const ScanPoint& point : points) {
-    *x = point.x;
-    *y = point.y;
-    *z = point.z;
-    *intensity = point.intensity;
+    numbers[0] = point.x;
+    numbers[1] = point.y;
+    numbers[2] = point.z;
+    numbers[3] = point.intensity;
     *ring = point.ring;
-    ++x;
-    ++y;
-    ++z;
-    ++intensity;
+    ++numbers;
     ++ring;
   }
   cloud.is_dense = 1;

@@ -4,12 +4,12 @@
 #include <limits>
 #include <utility>
 
-#include "scenario/person_checks.h"
 #include "scenario/population_checks.h"
 #include "scenario/reading/agent_reader.h"
 #include "scenario/reading/group_reader.h"
 #include "scenario/reading/kind_reader.h"
 #include "scenario/reading/list_reader.h"
+#include "scenario/reading/person_checks.h"
 #include "scenario/reading/population_reader.h"
 #include "scenario/reading/recorded_reader.h"
 #include "scenario/reading/region_reader.h"

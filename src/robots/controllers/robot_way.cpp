@@ -1,4 +1,4 @@
-#include "robots/robot_way.h"
+#include "robots/controllers/robot_way.h"
 
 #include "navigation/walking_floor.h"
 #include "social_crowd/errors.h"

@@ -1,10 +1,10 @@
-#include "training_plot.h"
+#include "tools/terminal/training_plot.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "common/text/numbers.h"
-#include "text_plot.h"
+#include "tools/terminal/text_plot.h"
 #include "training/record.h"
 
 namespace crowd {

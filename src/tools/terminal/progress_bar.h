@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "terminal.h"
+#include "tools/terminal/terminal.h"
 
 namespace crowd {
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "progress_bar.h"
+#include "tools/terminal/progress_bar.h"
+#include "tools/terminal/training_plot.h"
 #include "training/training.h"
-#include "training_plot.h"
 
 namespace crowd {
 

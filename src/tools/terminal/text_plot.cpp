@@ -1,4 +1,4 @@
-#include "text_plot.h"
+#include "tools/terminal/text_plot.h"
 
 #include <algorithm>
 #include <array>

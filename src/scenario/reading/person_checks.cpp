@@ -1,4 +1,4 @@
-#include "scenario/person_checks.h"
+#include "scenario/reading/person_checks.h"
 
 #include "common/text/number_range.h"
 #include "common/text/numbers.h"

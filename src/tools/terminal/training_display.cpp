@@ -1,9 +1,9 @@
-#include "training_display.h"
+#include "tools/terminal/training_display.h"
 
 #include <algorithm>
 
 #include "common/text/numbers.h"
-#include "terminal.h"
+#include "tools/terminal/terminal.h"
 #include "training/record.h"
 
 namespace crowd {

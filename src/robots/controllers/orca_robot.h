@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "robots/orca.h"
-#include "robots/robot_perceiver.h"
+#include "robots/controllers/orca.h"
+#include "robots/controllers/robot_perceiver.h"
 
 namespace crowd {
 

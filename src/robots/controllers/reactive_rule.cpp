@@ -1,11 +1,11 @@
-#include "robots/reactive_rule.h"
+#include "robots/controllers/reactive_rule.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "common/portable_math.h"
+#include "robots/controllers/steering.h"
 #include "robots/scan.h"
-#include "robots/steering.h"
 
 namespace crowd {
 namespace {

@@ -1,4 +1,4 @@
-#include "robots/orca.h"
+#include "robots/controllers/orca.h"
 
 #include <algorithm>
 #include <cmath>

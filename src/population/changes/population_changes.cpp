@@ -1,4 +1,4 @@
-#include "population/population_changes.h"
+#include "population/changes/population_changes.h"
 
 #include <algorithm>
 #include <utility>

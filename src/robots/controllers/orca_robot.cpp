@@ -1,6 +1,6 @@
-#include "robots/orca_robot.h"
+#include "robots/controllers/orca_robot.h"
 
-#include "robots/steering.h"
+#include "robots/controllers/steering.h"
 
 namespace crowd {
 

@@ -1,8 +1,8 @@
-#include "robots/robot_perceiver.h"
+#include "robots/controllers/robot_perceiver.h"
 
 #include <algorithm>
 
-#include "robots/steering.h"
+#include "robots/controllers/steering.h"
 
 namespace crowd {
 

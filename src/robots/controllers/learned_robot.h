@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "learning/learner.h"
-#include "robots/robot_perceiver.h"
+#include "robots/controllers/robot_perceiver.h"
 
 namespace crowd {
 

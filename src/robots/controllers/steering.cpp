@@ -1,4 +1,4 @@
-#include "robots/steering.h"
+#include "robots/controllers/steering.h"
 
 #include <algorithm>
 #include <cmath>

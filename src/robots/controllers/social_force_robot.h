@@ -1,7 +1,7 @@
 #pragma once
 
-#include "robots/robot_perceiver.h"
-#include "robots/social_force.h"
+#include "robots/controllers/robot_perceiver.h"
+#include "robots/controllers/social_force.h"
 
 namespace crowd {
 

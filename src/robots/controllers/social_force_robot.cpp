@@ -1,8 +1,8 @@
-#include "robots/social_force_robot.h"
+#include "robots/controllers/social_force_robot.h"
 
 #include <algorithm>
 
-#include "robots/steering.h"
+#include "robots/controllers/steering.h"
 
 namespace crowd {
 namespace {

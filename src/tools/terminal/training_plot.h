@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "episode_curve.h"
-#include "terminal.h"
+#include "tools/terminal/episode_curve.h"
+#include "tools/terminal/terminal.h"
 #include "training/training_state.h"
 
 namespace crowd {

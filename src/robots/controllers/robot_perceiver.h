@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "robots/robot_way.h"
+#include "robots/controllers/robot_way.h"
 #include "world/perceiver.h"
 
 namespace crowd {

@@ -1,4 +1,4 @@
-#include "episode_curve.h"
+#include "tools/terminal/episode_curve.h"
 
 #include <algorithm>
 #include <cmath>

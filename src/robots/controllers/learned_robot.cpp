@@ -1,8 +1,8 @@
-#include "robots/learned_robot.h"
+#include "robots/controllers/learned_robot.h"
 
 #include <cmath>
 
-#include "robots/steering.h"
+#include "robots/controllers/steering.h"
 
 namespace crowd {
 namespace {
