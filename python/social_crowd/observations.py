@@ -102,10 +102,10 @@ class Observer:
 
     def _grid(self, arrays):
         of = self._of
-        ranges = numpy.where(arrays['scan'] == -numpy.inf, numpy.float32(0.0), arrays['scan'])[:, self._rays]
+        ranges = numpy.where(arrays['scan'] == -numpy.inf, numpy.float32(0.0), arrays['scan']).take(self._rays, axis=1)
         half = of.resolution * numpy.sqrt(0.5)  # of the diagonal of a cell
         grid = numpy.full(ranges.shape, UNKNOWN, numpy.uint8)
         with numpy.errstate(invalid='ignore'):
-            grid[self._seen & (self._distances < ranges - half)] = FREE
-            grid[self._seen & (numpy.abs(ranges - self._distances) <= half)] = OCCUPIED
+            numpy.copyto(grid, FREE, where=self._seen & (self._distances < ranges - half))
+            numpy.copyto(grid, OCCUPIED, where=self._seen & (numpy.abs(ranges - self._distances) <= half))
         return grid.reshape(-1, 1, of.cells, of.cells)
