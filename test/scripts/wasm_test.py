@@ -116,7 +116,7 @@ class WorkerTest:
         assert frame['x'] == pytest.approx(crowd.positions[0, 0], abs=1e-6)
 
     def test_it_plays_until_a_pause(self, web):
-        *_, played, paused, later, stepped = talk(web, {'command': 'speed', 'factor': 0}, {'command': 'play'},
+        *_, played, paused, later, stepped = talk(web, {'command': 'speed', 'factor': 20}, {'command': 'play'},
                                                   {'until': 40}, {'command': 'pause'}, {'later': True},
                                                   {'command': 'step'})
         assert last_frame(played)['tick'] >= 40
