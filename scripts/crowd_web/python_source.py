@@ -20,11 +20,11 @@ def table_of(scenario):
     return 'human' if pathlib.Path(scenario).stem.startswith('place_') else 'anticipation'
 
 
-def robots_of(crowd):
-    """Returns the robots of a crowd, with their scans."""
-    scans = [crowd.scan(i) for i in range(len(crowd.robots))]
-    return [dict(robot, scan=scan_of(scan['first_angle'], scan['increment'], scan['ranges'].tolist()))
-            for robot, scan in zip(crowd.robots, scans)]
+def shown(robot):
+    """Returns what pages see of a robot and its scan."""
+    scan = robot['scan']
+    return {'name': robot['name'], 'pose': robot['pose'], 'goal': robot['goal'],
+            'scan': scan_of(scan['first_angle'], scan['increment'], scan['ranges'].tolist())}
 
 
 class PythonSource(PageSource):
@@ -90,7 +90,8 @@ class PythonSource(PageSource):
         crowd = self.crowd
         view = types.SimpleNamespace(
             tick=crowd.tick, time=crowd.time, tick_duration=crowd.tick_duration, is_over=crowd.is_over,
-            robots=robots_of(crowd), obstacles=crowd.obstacles, arrived=crowd.arrived,
+            robots=[dict(robot, scan=crowd.scan(i)) for i, robot in enumerate(crowd.robots)],
+            obstacles=crowd.obstacles, arrived=crowd.arrived,
             minds=[dict(mind, agent=agent, tick=crowd.tick) for agent, mind in (
                 (agent, crowd.mind(agent)) for agent in agents) if mind])
         for name in ('ids', 'positions', 'headings', 'velocities', 'statuses', 'in_contact', 'goals', 'radii'):
@@ -106,12 +107,14 @@ class PythonSource(PageSource):
         self.show_status()
         self.agents.offer(KnownAgents(view.ids, view.radii, view.goals))
         if view.robots:
-            self.robots.offer(view.tick, [{key: robot[key] for key in ('name', 'pose', 'goal', 'scan')}
-                                          for robot in view.robots])
+            self.robots.offer(view.tick, view.robots)
         if last is not None and not numpy.array_equal(view.obstacles, last.obstacles):
             self.obstacles.offer(view.tick, view.obstacles)
         if view.minds:
             self.minds.offer(view.minds)
+
+    def send_robots(self, tick, robots):
+        super().send_robots(tick, [shown(robot) for robot in robots])  # not in each tick
 
     def show_status(self):
         view = self.view

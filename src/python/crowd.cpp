@@ -155,8 +155,7 @@ void bindCrowd(py::module_& module) {
           },
           py::arg("robot") = 0,
           "What the laser scanner of a robot reports now: `first_angle` and `increment` [rad], robot frame, and "
-          "`ranges` "
-          "[m], infinite or NaN as in REP 117.")
+          "`ranges` [m], infinite or NaN as in REP 117.")
       .def_property_readonly("walls",
                              [](Crowd& crowd) {
                                const auto by_id = crowd.episode().walls();
