@@ -19,13 +19,14 @@ Eigen::AlignedBox2d boxAround(const FloorPlan& floor) {
 }  // namespace
 
 ClearanceGrid::ClearanceGrid(const FloorPlan& floor, double spacing, double limit, const StopRequest& stop)
-    : spacing_(spacing), limit_(limit) {
+    : spacing_(spacing), points_per_metre_(1.0 / spacing), limit_(limit) {
   const Eigen::AlignedBox2d bounds = boxAround(floor);
   if (bounds.isEmpty()) return;
   // Discs around the points within the limit of a wall, as large as their clearance, are on the grid.
   const double margin = 2.0 * limit + 3.0 * spacing;
   const Vector2 size = bounds.sizes() + Vector2::Constant(2.0 * margin);
   spacing_ = std::max(spacing, std::sqrt(size.x() * size.y() / static_cast<double>(MAX_POINTS)));
+  points_per_metre_ = 1.0 / spacing_;
   origin_ = bounds.min() - Vector2::Constant(margin);
   columns_ = static_cast<Index>(std::ceil(size.x() / spacing_)) + 1;
   rows_ = static_cast<Index>(std::ceil(size.y() / spacing_)) + 1;

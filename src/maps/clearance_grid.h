@@ -39,11 +39,13 @@ class ClearanceGrid {
     return origin_ + spacing_ * Vector2(static_cast<double>(point % columns_), static_cast<double>(row));
   }
   /// @brief The grid point nearest to a place [m], `map`; OUTSIDE if the place is more than half a cell off the grid.
-  Index nearest(const Vector2& place) const {
-    const double column = (place.x() - origin_.x()) / spacing_ + 0.5;
-    const double row = (place.y() - origin_.y()) / spacing_ + 0.5;
-    const bool inside = column >= 0.0 && row >= 0.0 && column < columns_ && row < rows_;
-    return inside ? static_cast<Index>(row) * columns_ + static_cast<Index>(column) : OUTSIDE;
+  Index nearest(const Vector2& place) const { return pointAt(toCells(place)); }
+  /// @brief Column and row of a place, plus 0.5, so that their integer part is that of the nearest grid point.
+  Vector2 toCells(const Vector2& place) const { return points_per_metre_ * (place - origin_) + Vector2(0.5, 0.5); }
+  /// @brief Distance from the grid point nearest to a place in cells, see toCells() [m]; infinite off the grid.
+  double at(const Vector2& cells) const {
+    const Index point = pointAt(cells);
+    return point == OUTSIDE ? INFINITE : distances_[point];
   }
 
   /// @brief The grid point that is this number of columns and rows away; OUTSIDE if there is none.
@@ -82,8 +84,14 @@ class ClearanceGrid {
   template <typename Distance>
   void lower(const Vector2& low, const Vector2& high, const Distance& distance);
 
+  Index pointAt(const Vector2& cells) const {
+    const bool inside = cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() < columns_ && cells.y() < rows_;
+    return inside ? static_cast<Index>(cells.y()) * columns_ + static_cast<Index>(cells.x()) : OUTSIDE;
+  }
+
   Vector2 origin_ = Vector2::Zero();
   double spacing_;
+  double points_per_metre_;
   double limit_;
   Index columns_ = 0;
   Index rows_ = 0;

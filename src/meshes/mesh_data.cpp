@@ -87,7 +87,8 @@ bool NavigationMesh::Data::build(const FloorRaster& raster, const StopRequest& s
   }
   tile_ = static_cast<const dtNavMesh&>(*detour_).getTile(0);
   grid_ = PolygonGrid(*tile_, raster.columns(), raster.rows());
-  bytes_ = static_cast<std::size_t>(size) + grid_.bytes();
+  exits_ = PolygonExits(*tile_);
+  bytes_ = static_cast<std::size_t>(size) + grid_.bytes() + exits_.bytes();
   return true;
 }
 

@@ -7,6 +7,7 @@
 
 #include "meshes/floor_raster.h"
 #include "meshes/navigation_mesh.h"
+#include "meshes/polygon_exits.h"
 #include "meshes/polygon_grid.h"
 
 namespace crowd {
@@ -22,6 +23,7 @@ class NavigationMesh::Data {
   /// The polygons; only if there are any.
   const dtMeshTile& tile() const { return *tile_; }
   const PolygonGrid& grid() const { return grid_; }
+  const PolygonExits& exits() const { return exits_; }
   std::size_t polygonCount() const { return components_.size(); }
   /// The component of each polygon.
   const std::vector<Component>& components() const { return components_; }
@@ -48,6 +50,7 @@ class NavigationMesh::Data {
   std::unique_ptr<dtNavMesh, FreeDetour> detour_;  // null if there is nowhere to walk
   const dtMeshTile* tile_ = nullptr;               // of it
   PolygonGrid grid_;
+  PolygonExits exits_;
   std::vector<Component> components_;
   std::size_t component_count_ = 0;
   std::vector<std::uint8_t> is_turning_point_;

@@ -32,8 +32,7 @@ class FloorRuler {
   }
   /// @brief Whether walls and obstacles are this far away from a place; beyond the grid there are none [m].
   bool hasClearance(const Vector2& place, double clearance) const {
-    const ClearanceGrid::Index point = grid_.nearest(place);
-    return point == ClearanceGrid::OUTSIDE || grid_[point] >= clearance;
+    return grid_.at(grid_.toCells(place)) >= clearance;
   }
   /// @brief Memory that it occupies [bytes].
   std::size_t bytes() const { return grid_.bytes(); }
@@ -42,8 +41,10 @@ class FloorRuler {
   static constexpr double STEP = 0.1;  // [m]
 
   double roomTo(const Vector2& side, const Vector2& place, double radius, double limit) const {
+    const Vector2 step = STEP / grid_.spacing() * side;
+    Vector2 cell = grid_.toCells(place) + step;
     double width = 0.0;
-    while (width < limit && hasClearance(place + (width + STEP) * side, radius)) width += STEP;
+    for (; width < limit && grid_.at(cell) >= radius; cell += step) width += STEP;
     return width;
   }
 

@@ -2,26 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace crowd {
 namespace {
 
 constexpr double SAME = 0.3;            // cosine of the angle up to which the directions of two ways are the same
 constexpr double CLAIM_MARGIN = 0.1;    // beyond the width of the floor, up to which claims are in each other's way [m]
-constexpr double WALKING_SHARE = 0.1;   // of the maximum speed, above which an agent gets on
 constexpr double ASIDE_GAP = 0.15;      // an agent that waits steps aside if another one passes nearer than this [m],
 constexpr double ASIDE_LEAVE = 0.3;     // and until none passes nearer than this [m]
 constexpr double ASIDE_DISTANCE = 1.0;  // of the point that it walks to [m]
 constexpr double TURNED_BACK = -0.7;    // cosine from which the direction aside leads back towards who passes
 
-bool getsOn(const Agent& agent, const Claimant& claimant) {
-  return agent.velocity.dot(claimant.heading) > WALKING_SHARE * agent.max_speed;
-}
-
-bool isRightBehind(const Agent& agent, const Vector2& heading, const Agent& other) {
-  const Vector2 offset = other.pose.position - agent.pose.position;
-  const double radii = agent.radius + other.radius;
-  const bool is_ahead = offset.dot(heading) > 0.0 && std::abs(cross(heading, offset)) < radii;
+bool isRightBehind(const Claimant& claimant, const Claimant& other) {
+  const Vector2 offset = other.position - claimant.position;
+  const double radii = claimant.radius + other.radius;
+  const bool is_ahead = offset.dot(claimant.heading) > 0.0 && std::abs(cross(claimant.heading, offset)) < radii;
   return is_ahead && offset.norm() - radii < TurnTaking::QUEUE_GAP;
 }
 
@@ -55,9 +51,10 @@ void TurnTaking::decide(const World& world, const AgentMap<RemainingPath>& paths
       approaches_.nth(i) = Approach();
     }
   }
+  rank();
   for (const Claimant& own : claims_.claimants()) {
     Approach& approach = approaches_[own.agent];
-    approach.waits = mustWait(world, own, trafficOf(world, own));
+    approach.waits = mustWait(world, own, trafficOf(own));
     approach.aside = approach.waits && !own.isInside() ? sideOf(world, own) : Vector2::Zero();
   }
 }
@@ -68,54 +65,55 @@ void TurnTaking::noteApproach(const Claimant& claimant, double time, Approach& a
   approach.was_inside = claimant.isInside();
 }
 
-TurnTaking::Traffic TurnTaking::trafficOf(const World& world, const Claimant& claimant) {
+TurnTaking::Traffic TurnTaking::trafficOf(const Claimant& claimant) {
   Traffic traffic;
   (claimant.isInside() ? traffic.same_inside : traffic.same) = &claimant;
   bool is_narrow = false;
   for (const Claim& claim : claims_.of(claimant)) {
     if (is_narrow && !claim.is_narrow) break;  // the first narrow part only
     is_narrow = claim.is_narrow;
-    if (is_narrow) addTraffic(world, claimant, claim, traffic);
+    if (is_narrow) addTraffic(claimant, claim, traffic);
   }
   return traffic;
 }
 
-void TurnTaking::addTraffic(const World& world, const Claimant& claimant, const Claim& claim, Traffic& traffic) {
-  const Agent& agent = world.agents()[claimant.agent];
-  for (const Claim* other : claims_.near(claim.place, std::max(2.0 * WayClaims::STEP, claim.width + CLAIM_MARGIN))) {
-    const Claimant& its = claims_.claimants()[other->claimant];
-    if (&its == &claimant) continue;
-    const double cosine = other->direction.dot(claim.direction);
-    const bool is_inside = its.isInside() && other->passage == 0;
+void TurnTaking::addTraffic(const Claimant& claimant, const Claim& claim, Traffic& traffic) {
+  const double reach = std::max(2.0 * WayClaims::STEP, claim.width + CLAIM_MARGIN);
+  claims_.visitNear(claim.place, reach, [&](const NearClaim& other) {
+    const Claimant& its = claims_.claimants()[other.claimant];
+    if (&its == &claimant) return;
+    const double cosine = other.direction.dot(claim.direction);
+    const bool is_inside = its.isInside() && other.is_first_passage;
     if (cosine < OPPOSITE) {
-      const double other_radius = world.agents()[its.agent].radius;
-      if (!other->is_narrow || claim.width >= agent.radius + other_radius + claim.room) continue;
-      if (is_inside) {
-        replaceIfLonger(traffic.opposite_inside, its);
-        traffic.do_opposite_walk = traffic.do_opposite_walk || getsOn(world.agents()[its.agent], its);
-      } else {
-        replaceIfLonger(traffic.opposite, its);
-      }
+      if (!other.is_narrow || claim.width >= claimant.radius + its.radius + claim.room) return;
+      replaceIfLonger(is_inside ? traffic.opposite_inside : traffic.opposite, its);
+      traffic.do_opposite_walk = traffic.do_opposite_walk || (is_inside && its.gets_on);
     } else if (cosine > SAME) {
       const bool is_ahead =
-          its.distance < claimant.distance || (its.distance == claimant.distance && its.agent < agent.id);
-      if (is_ahead && !its.isInside() && !traffic.is_queued) {
-        traffic.is_queued = isRightBehind(agent, claimant.heading, world.agents()[its.agent]);
-      }
+          its.distance < claimant.distance || (its.distance == claimant.distance && its.agent < claimant.agent);
+      if (is_ahead && !its.isInside() && !traffic.is_queued) traffic.is_queued = isRightBehind(claimant, its);
       if (is_inside) {
         replaceIfLonger(traffic.same_inside, its);
-      } else if (other->is_narrow) {
+      } else if (other.is_narrow) {
         replaceIfLonger(traffic.same, its);
       }
     }
-  }
+  });
 }
 
 /// Of two agents that wait for the same time, the one with the lower id goes first.
+void TurnTaking::rank() {
+  const auto begin = [&](std::uint32_t claimant) { return approaches_[claims_.claimants()[claimant].agent].begin; };
+  order_.resize(claims_.claimants().size());
+  std::iota(order_.begin(), order_.end(), 0U);
+  std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return begin(a) < begin(b); });
+  ranks_.resize(order_.size());
+  for (std::uint32_t i = 0; i < order_.size(); ++i) ranks_[order_[i]] = i;
+}
+
 bool TurnTaking::hasWaitedLonger(const Claimant& a, const Claimant& b) const {
-  const double a_begin = approaches_[a.agent].begin;
-  const double b_begin = approaches_[b.agent].begin;
-  return a_begin < b_begin || (a_begin == b_begin && a.agent < b.agent);
+  const Claimant* first = claims_.claimants().data();
+  return ranks_[static_cast<std::size_t>(&a - first)] < ranks_[static_cast<std::size_t>(&b - first)];
 }
 
 void TurnTaking::replaceIfLonger(const Claimant*& longest, const Claimant& other) const {
@@ -149,17 +147,17 @@ Vector2 TurnTaking::sideOf(const World& world, const Claimant& claimant) {
   const Vector2& aside = approaches_[agent.id].aside;
   const bool was_aside = aside != Vector2::Zero();
   const double reach = was_aside ? ASIDE_LEAVE : ASIDE_GAP;
-  const Claim* nearest = nullptr;
+  const NearClaim* nearest = nullptr;
   double least = reach;
-  for (const Claim* other : claims_.near(agent.pose.position, agent.radius + claims_.largestRadius() + reach)) {
-    const Claimant& its = claims_.claimants()[other->claimant];
-    const bool is_oncoming = other->direction.dot(claimant.heading) <= OPPOSITE && other->ahead <= WayClaims::LOOKAHEAD;
-    if (&its == &claimant || !is_oncoming) continue;
-    const double gap = (other->place - agent.pose.position).norm() - agent.radius - world.agents()[its.agent].radius;
-    if (gap >= least) continue;
+  claims_.visitNear(agent.pose.position, agent.radius + claims_.largestRadius() + reach, [&](const NearClaim& other) {
+    const Claimant& its = claims_.claimants()[other.claimant];
+    const bool is_oncoming = other.direction.dot(claimant.heading) <= OPPOSITE && other.ahead <= WayClaims::LOOKAHEAD;
+    if (&its == &claimant || !is_oncoming) return;
+    const double gap = (other.place - agent.pose.position).norm() - agent.radius - its.radius;
+    if (gap >= least) return;
     least = gap;
-    nearest = other;
-  }
+    nearest = &other;
+  });
   if (nearest == nullptr) return Vector2::Zero();
   if (was_aside && aside.dot(nearest->direction) >= TURNED_BACK) return aside;
   const Vector2 offset = agent.pose.position - nearest->place;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "navigation/floor_ruler.h"
 #include "navigation/remaining_path.h"
@@ -55,8 +56,9 @@ class TurnTaking {
 
   void decide(const World& world, const AgentMap<RemainingPath>& paths);
   void noteApproach(const Claimant& claimant, double time, Approach& approach) const;
-  Traffic trafficOf(const World& world, const Claimant& claimant);
-  void addTraffic(const World& world, const Claimant& claimant, const Claim& claim, Traffic& traffic);
+  void rank();
+  Traffic trafficOf(const Claimant& claimant);
+  void addTraffic(const Claimant& claimant, const Claim& claim, Traffic& traffic);
   void replaceIfLonger(const Claimant*& longest, const Claimant& other) const;
   bool hasWaitedLonger(const Claimant& a, const Claimant& b) const;
   bool mustWait(const World& world, const Claimant& claimant, const Traffic& traffic);
@@ -65,7 +67,9 @@ class TurnTaking {
   std::shared_ptr<const FloorRuler> floor_;
   WayClaims claims_;
   AgentMap<Approach> approaches_;
-  std::uint64_t decision_tick_ = 0;  // of the next decision
+  std::vector<std::uint32_t> order_;  // of the claimants: who has waited for the longest time comes first
+  std::vector<std::uint32_t> ranks_;  // of the claimants in this order
+  std::uint64_t decision_tick_ = 0;   // of the next decision
 };
 
 }  // namespace crowd

@@ -5,7 +5,23 @@
 namespace crowd {
 namespace {
 
-constexpr double GAP = 1.2;  // between narrow places that belong together, as at the doors of a corridor [m]
+constexpr double CELL = 1.0;           // of the grid [m]
+constexpr double WALKING_SHARE = 0.1;  // of the maximum speed, above which an agent gets on
+constexpr double GAP = 1.2;            // between narrow places that belong together, as at the doors of a corridor [m]
+
+/// Narrow claims of a way that belong together, from `begin` to before `end`.
+struct NarrowPart {
+  /// Adds a narrow claim, which is behind all claims before it.
+  void add(const Claim& claim, const std::vector<Claim>& before) {
+    const bool belongs = end > begin && (end == before.size() || claim.ahead - before[end].ahead <= GAP);
+    if (!belongs) begin = before.size();
+    end = before.size() + 1;
+  }
+  bool isDoor() const { return static_cast<double>(end - begin) * WayClaims::STEP <= WayClaims::DOOR_LENGTH; }
+
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
 
 }  // namespace
 
@@ -19,7 +35,12 @@ void WayClaims::update(const World& world, const AgentMap<RemainingPath>& paths,
     if (agent.isWalking() && !agent.at_goal && !agent.isHeld()) addWay(agent, paths.nth(i), floor);
   }
   for (std::uint32_t i = 0; i < claims_.size(); ++i) grid_.add(claims_[i].place, 0.0, i);
-  grid_.build(1.0);
+  grid_.build(CELL);
+  sorted_.clear();
+  for (std::size_t i = 0; i < claims_.size(); ++i) {
+    const Claim& claim = claims_[grid_.body(i)];
+    sorted_.push_back({claim.place, claim.direction, claim.ahead, claim.claimant, claim.is_narrow, claim.passage == 0});
+  }
 }
 
 void WayClaims::addWay(const Agent& agent, const RemainingPath& path, const FloorRuler& floor) {
@@ -47,6 +68,9 @@ void WayClaims::addWay(const Agent& agent, const RemainingPath& path, const Floo
   const auto heading_claim = claimant.first + static_cast<std::uint32_t>(HEADING_DISTANCE / STEP);
   const Vector2 offset = claims_[std::min(claimant.last - 1, heading_claim)].place - agent.pose.position;
   claimant.heading = offset.norm() > 0.0 ? Vector2(offset.normalized()) : claims_[claimant.first].direction;
+  claimant.position = agent.pose.position;
+  claimant.radius = agent.radius;
+  claimant.gets_on = agent.velocity.dot(claimant.heading) > WALKING_SHARE * agent.max_speed;
   claimants_.push_back(claimant);
   largest_radius_ = std::max(largest_radius_, agent.radius);
 }
@@ -58,7 +82,13 @@ void WayClaims::addPlaces(const Agent& agent, const RemainingPath& path, const F
   claim.room = DOOR_ROOM;
   Vector2 from = agent.pose.position;
   double passed = 0.0;  // length of the way to `from`
-  const auto is_end = [&] { return claim.ahead > (claim.is_narrow ? MAX_LENGTH : LOOKAHEAD); };
+  NarrowPart narrow;
+  const auto is_end = [&] {
+    if (claim.ahead <= LOOKAHEAD) return false;
+    if (!claim.is_narrow || claim.ahead > MAX_LENGTH) return true;
+    // It does not count as narrow, see tellDoors().
+    return claims_.back().ahead > LOOKAHEAD && !narrow.isDoor() && claim.width >= 2.0 * agent.radius + PASSING_ROOM;
+  };
   for (const Vector2& corner : path) {
     const double length = (corner - from).norm();
     for (; claim.ahead <= passed + length && !is_end(); claim.ahead += STEP) {
@@ -69,6 +99,7 @@ void WayClaims::addPlaces(const Agent& agent, const RemainingPath& path, const F
         claim.width = floor.widthAt(claim.place, claim.direction, agent.radius, passing_width).total();
         claim.is_narrow = claim.width < passing_width;
       }
+      if (claim.is_narrow) narrow.add(claim, claims_);
       claims_.push_back(claim);
     }
     if (is_end()) break;
@@ -97,14 +128,6 @@ void WayClaims::tellDoors(std::size_t first, double radius) {
   const auto is_beyond = [](const Claim& claim) { return claim.ahead > LOOKAHEAD && !claim.is_narrow; };
   const auto of_agent = claims_.begin() + static_cast<std::ptrdiff_t>(first);
   claims_.erase(std::find_if(of_agent, claims_.end(), is_beyond), claims_.end());
-}
-
-const std::vector<const Claim*>& WayClaims::near(const Vector2& place, double distance) {
-  found_.clear();
-  near_.clear();
-  grid_.findNear(place, distance, found_);
-  for (const std::uint32_t claim : found_) near_.push_back(&claims_[claim]);
-  return near_;
 }
 
 }  // namespace crowd

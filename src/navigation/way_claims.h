@@ -31,7 +31,20 @@ struct Claimant {
   Vector2 heading = Vector2::UnitX();  ///< to the place on its way at HEADING_DISTANCE, unit vector
   double distance = 0.0;               ///< of the first narrow place on its way; 0 inside [m]
   double length = 0.0;                 ///< of the first narrow part of its way [m]
+  Vector2 position = Vector2::Zero();  ///< of the agent [m]
+  double radius = 0.0;                 ///< of the agent [m]
+  bool gets_on = false;                ///< it walks in the direction of `heading`
   bool isInside() const { return distance <= 0.0; }
+};
+
+/// @brief What others look at in a claim, in little memory.
+struct NearClaim {
+  Vector2 place = Vector2::Zero();
+  Vector2 direction = Vector2::UnitX();
+  double ahead = 0.0;
+  std::uint32_t claimant = 0;
+  bool is_narrow = false;
+  bool is_first_passage = false;
 };
 
 /// @brief The ways that agents are about to take: places at intervals of STEP on the next LOOKAHEAD of them, or to the
@@ -60,8 +73,20 @@ class WayClaims {
   }
   /// @brief Of the claimants [m].
   double largestRadius() const { return largest_radius_; }
-  /// @brief The claims within a distance of a place [m]. Valid until the next call.
-  const std::vector<const Claim*>& near(const Vector2& place, double distance);
+  /// @brief Calls visit(claim) for the claims within a distance of a place [m].
+  template <typename Visit>
+  void visitNear(const Vector2& place, double distance, const Visit& visit) {
+    const NeighbourGrid::RunsNear candidates = grid_.findRunsNear(place, distance, runs_);
+    if (near_.size() < candidates.discs + 1) near_.resize(2 * candidates.discs + 1);
+    std::size_t count = 0;
+    for (const NeighbourGrid::Run& run : candidates.runs) {
+      for (std::uint32_t i = run.begin; i < run.end; ++i) {
+        near_[count] = i;  // without a branch, which would often be mispredicted
+        count += (grid_.centre(i) - place).squaredNorm() <= distance * distance ? 1U : 0U;
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) visit(sorted_[near_[i]]);
+  }
 
  private:
   void addWay(const Agent& agent, const RemainingPath& path, const FloorRuler& floor);
@@ -70,10 +95,11 @@ class WayClaims {
 
   std::vector<Claimant> claimants_;
   std::vector<Claim> claims_;
-  double largest_radius_ = 0.0;  // of the claimants [m]
-  NeighbourGrid grid_;           // of the claims
-  std::vector<std::uint32_t> found_;
-  std::vector<const Claim*> near_;
+  double largest_radius_ = 0.0;    // of the claimants [m]
+  NeighbourGrid grid_;             // of the claims
+  std::vector<NearClaim> sorted_;  // in the order of the grid
+  NeighbourGrid::Runs runs_;
+  std::vector<std::uint32_t> near_;  // by visitNear()
 };
 
 }  // namespace crowd

@@ -88,10 +88,14 @@ TEST(WayClaims, ANarrowCorridorIsClaimedToItsEnd) {
 TEST(WayClaims, FindsClaimsNearAPlace) {
   Door door({walker({-2.0, 0.0}, {4.5, 0.0}), walker({2.0, 3.0}, {-4.5, 0.0})});
   ASSERT_EQ(door.claims.claimants().size(), 1U);  // the other way to the door is 3.6 m long
-  const auto& near = door.claims.near({0.0, 0.0}, 0.25);
-  EXPECT_EQ(near.size(), 3U);  // at -0.2, 0 and 0.2 m
-  for (const Claim* claim : near) EXPECT_EQ(claim->claimant, 0U);
-  EXPECT_TRUE(door.claims.near({0.0, 2.0}, 1.0).empty());
+  std::size_t count = 0;
+  door.claims.visitNear({0.0, 0.0}, 0.25, [&](const NearClaim& claim) {
+    EXPECT_EQ(claim.claimant, 0U);
+    EXPECT_LE(claim.place.norm(), 0.25);
+    ++count;
+  });
+  EXPECT_EQ(count, 3U);  // at -0.2, 0 and 0.2 m
+  door.claims.visitNear({0.0, 2.0}, 1.0, [&](const NearClaim& claim) { ADD_FAILURE() << claim.place.transpose(); });
 }
 
 }  // namespace
