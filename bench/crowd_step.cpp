@@ -80,6 +80,17 @@ void walkTwoThreads(benchmark::State& state) {
       state, Clock::ON_WALL, [&] { return repeat(walk); }, [&] { return repeat(walk_alone); });
 }
 
+void walkWithMass(benchmark::State& state) {
+  CrowdPlan plan;
+  plan.motion = MotionLimits{2.0, 3.0, INFINITE};
+  const auto crowd = warmUp(plan);
+  const auto without = warmUp(CrowdPlan());
+  const auto walk = [&] { return crowd->step(); };
+  const auto walk_without = [&] { return without->step(); };
+  takeTurns(
+      state, Clock::OF_THREAD, [&] { return repeat(walk); }, [&] { return repeat(walk_without); });
+}
+
 void walk(benchmark::State& state, const CrowdPlan& plan) {
   const auto crowd = warmUp(plan);
   std::size_t steps = 0;
@@ -127,6 +138,7 @@ void walkVision(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(walkTenThousand)->Name("crowd_step_10000")->Iterations(TURNS)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(walkWithMass)->Name("crowd_step_10000_mass")->Iterations(TURNS)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(walkTwoThreads)
     ->Name("crowd_step_10000_two_threads")
     ->Iterations(TURNS)

@@ -54,6 +54,7 @@ Scene makeCrowd(const CrowdPlan& plan) {
   scene.name = "crowd";
   scene.max_ticks = UINT64_MAX;
   scene.goal_tolerance = 0.3;
+  scene.motion = plan.motion;
   const double side = std::sqrt(static_cast<double>(plan.agents) / plan.density);
   for (const Vector2& place : drawPlaces(plan, random)) {
     AgentStart& agent = scene.agents.emplace_back();
@@ -76,6 +77,7 @@ CrowdWalk::CrowdWalk(const Scene& scene, double vision_radius, unsigned threads)
       thread_pool_(threads),
       decider_(learner_, thread_pool_) {
   vision_.radius = vision_radius;
+  if (scene.motion) world_.setMotion(*scene.motion);
   way_finder_.update(world_);
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "common/thread_pool.h"
+#include "geometry/motion_limits.h"
 #include "learning/learner.h"
 #include "navigation/way_finder.h"
 #include "scenario/scene.h"
@@ -16,6 +18,7 @@ struct CrowdPlan {
   double density = 0.5;        ///< [agents per m2]
   double vision_radius = 6.0;  ///< [m]; at most the 16 nearest neighbours are perceived
   unsigned threads = 1;
+  std::optional<MotionLimits> motion;  ///< see Scene
 };
 
 /// @brief Scene of the crowd: mixed speeds and sizes, ids independent of positions; deterministic.
