@@ -6,6 +6,7 @@
 
 #include "avoidance/escape_planner.h"
 #include "avoidance/near_agents.h"
+#include "simd/kernels.h"
 
 namespace crowd {
 namespace {
@@ -16,18 +17,9 @@ constexpr double TOUCHING = 1e-10;
 /// Limits the place where each move of a block stops.
 /// @param limit of where it stops
 void cutStop(const MoveLimit& limit, const Perception& seen, MoveBlock& moves) {
-  const double lost = seen.motion.braking * seen.tick_duration;
-  const double per_speed = 1.0 / seen.self.max_speed;
-  const double nx = limit.normal.x();
-  const double ny = limit.normal.y();
-  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
-    const double closing = nx * moves.x[i] + ny * moves.y[i];
-    // The speed v with closing (v T + v^2 / (2 braking)) = max_advance.
-    const double square = lost * lost + 2.0 * seen.motion.braking * limit.max_advance / closing;
-    const double left = std::max(0.0, (std::sqrt(square) - lost) * per_speed);
-    const bool too_far = (closing > 0.0) & (moves.fraction[i] > left);
-    moves.fraction[i] = too_far ? left : moves.fraction[i];
-  }
+  const simd::StopLimit stop{limit.normal.x(), limit.normal.y(), 2.0 * seen.motion.braking * limit.max_advance,
+                             seen.motion.braking * seen.tick_duration, 1.0 / seen.self.max_speed};
+  simd::kernels().cut_stops(stop, moves.x.data(), moves.y.data(), MoveBlock::SIZE, moves.fraction.data());
 }
 
 }  // namespace

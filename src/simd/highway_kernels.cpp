@@ -11,14 +11,15 @@
 #include "simd/nearby_discs_inl.h"
 #include "simd/ranks_inl.h"
 #include "simd/row_numbers_inl.h"
+#include "simd/stopping_moves_inl.h"
 #include "simd/time_to_collision_inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace crowd::simd::HWY_NAMESPACE {
 
 Kernels targetKernels() {
-  return {hwy::TargetName(HWY_TARGET), collectNearby, isAnyNearby, rankAscending, findNear,
-          accumulateTimeToCollision,   findRowNumbers};
+  return {hwy::TargetName(HWY_TARGET), collectNearby,  isAnyNearby, rankAscending, findNear,
+          accumulateTimeToCollision,   findRowNumbers, cutStops};
 }
 
 }  // namespace crowd::simd::HWY_NAMESPACE

@@ -6,6 +6,7 @@
 #include "simd/nearby_discs.h"
 #include "simd/ranks.h"
 #include "simd/row_numbers.h"
+#include "simd/stopping_moves.h"
 #include "simd/time_to_collision.h"
 
 namespace crowd::simd {
@@ -19,6 +20,7 @@ struct Kernels {
   FindNear* find_near;
   AccumulateTimeToCollision* accumulate_time_to_collision;
   FindRowNumbers* find_row_numbers;
+  CutStops* cut_stops;
 };
 
 /// @brief Scalar implementation, which defines the results.

@@ -119,9 +119,20 @@ void findRowNumbers(const ClassDigit* digits, std::size_t digit_count, LastDigit
   }
 }
 
+void cutStops(const StopLimit& limit, const double* xs, const double* ys, std::size_t count, double* fractions) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double closing = limit.normal_x * xs[i] + limit.normal_y * ys[i];
+    const double root = std::sqrt(std::max(0.0, limit.lost * limit.lost + limit.square / closing));
+    const double left = std::max(0.0, (root - limit.lost) * limit.per_speed);
+    const bool too_far = (closing > 0.0) & (fractions[i] > left);
+    fractions[i] = too_far ? left : fractions[i];
+  }
+}
+
 }  // namespace
 
-const Kernels REFERENCE = {
-    "reference", collectNearby, isAnyNearby, rankAscending, findNear, accumulateTimeToCollision, findRowNumbers};
+const Kernels REFERENCE = {"reference",    collectNearby, isAnyNearby,
+                           rankAscending,  findNear,      accumulateTimeToCollision,
+                           findRowNumbers, cutStops};
 
 }  // namespace crowd::simd
