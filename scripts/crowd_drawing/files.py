@@ -293,7 +293,7 @@ def read_scene(file, instance):
     index = instance % len(documents)
     scene = Scene(documents[index], f'{file}: document {index + 1}')
     for entry in scene.recorded:
-        entry['file'] = pathlib.Path(file).parent / entry['file']
+        entry['file'] = (pathlib.Path(file).parent / entry['file']).resolve()  # the folder may be a temporary one
     if 'map' in documents[index]:
         scene.map = read_map(pathlib.Path(file).parent / documents[index]['map'])
     return scene

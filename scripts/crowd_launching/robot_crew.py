@@ -1,4 +1,5 @@
 """Starts launch files for each robot of a scenario, see scripts/robot_crew."""
+import math
 import os
 import shutil
 import signal
@@ -14,7 +15,6 @@ import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from social_crowd.msg import RobotStates, Scenario
 from std_msgs.msg import String
-from tf.transformations import quaternion_from_euler
 
 from .nodes import ending_of, stop_nodes
 
@@ -112,7 +112,7 @@ class RobotCrew:
             pose.header = states.header
             pose.pose.pose.position.x, pose.pose.pose.position.y = state.pose.x, state.pose.y
             orientation = pose.pose.pose.orientation
-            orientation.x, orientation.y, orientation.z, orientation.w = quaternion_from_euler(0, 0, state.pose.theta)
+            orientation.z, orientation.w = math.sin(state.pose.theta / 2), math.cos(state.pose.theta / 2)
             for place, variance in VARIANCES.items():
                 pose.pose.covariance[place] = variance
             self.poses[state.name].publish(pose)

@@ -44,6 +44,9 @@ class Crowd {
   }
 
   bool stepWith(const Numbers& rotations, const Numbers& speeds) {
+    if (episode_.episode().scene().order == Order::SEQUENTIAL) {
+      throw InputError("step() with actions: expected a scenario with order: simultaneous");
+    }
     const Perceptions& seen = episode_.episode().perceptions();
     requireLength("rotations", rotations, seen.agents.size());
     requireLength("speeds", speeds, seen.agents.size());

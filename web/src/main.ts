@@ -36,7 +36,17 @@ async function findSource(): Promise<Source> {
   return WorkerSource.open();
 }
 
-const app = window.socialCrowd = new App();
+/** Without WebGL there is no picture. */
+function open(): App {
+  try {
+    return new App();
+  } catch (error) {
+    notify(`This page needs WebGL 2, which the browser does not offer: ${(error as Error).message}`);
+    throw error;
+  }
+}
+
+const app = window.socialCrowd = open();
 app.picture.view.resize();
 addSettings(app);
 addShortcuts(app);
