@@ -123,7 +123,7 @@ Span<DeadlockResolver::Walker> DeadlockResolver::walkersNear(const World& world,
 
 bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
   const double time = world.time();
-  const auto has_priority = [&](AgentId other) { return givesWayTo(agent, world.agents()[other], time); };
+  const auto has_priority = [&](AgentId other) { return givesWayTo(world, agent, world.agents()[other]); };
   if (isStuck(walks_[agent.id], time)) {
     if (isBlockedByRobot(world, agent)) return true;
     const Span<Walker> near = walkersNear(world, agent, REACH);
@@ -145,7 +145,8 @@ bool DeadlockResolver::blocksOthers(const World& world, const Agent& agent) {
     const Vector2 offset = agent.pose.position - other.pose.position;
     const double gap = offset.norm() - agent.radius - other.radius;
     const Vector2 way = (other.perceivedGoal() - other.pose.position).normalized();
-    return gap < WAITER_REACH && offset.dot(way) > (gap < TOUCH ? -BESIDE : 0.0);
+    return gap < WAITER_REACH && offset.dot(way) > (gap < TOUCH ? -BESIDE : 0.0) &&
+           world.walls().index().isClear(agent.pose.position, other.pose.position, 0.0);
   });
 }
 
@@ -161,8 +162,9 @@ bool DeadlockResolver::isBlockedByRobot(const World& world, const Agent& agent) 
 }
 
 /// Whether another agent blocks an agent that is stuck or in the way of one that walks back, and has priority.
-bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double time) const {
+bool DeadlockResolver::givesWayTo(const World& world, const Agent& agent, const Agent& other) const {
   if (other.id == agent.id) return false;
+  const double time = world.time();
   const Walk& own = walks_[agent.id];
   const Walk& its = walks_[other.id];
   const Vector2 offset = other.pose.position - agent.pose.position;
@@ -173,6 +175,7 @@ bool DeadlockResolver::givesWayTo(const Agent& agent, const Agent& other, double
   // In a door two agents may be wedged side by side.
   const bool is_ahead = offset.dot(own.course) > (gap < TOUCH ? -BESIDE : 0.0);
   if (!is_ahead && !forms_arch) return false;
+  if (!world.walls().index().isClear(agent.pose.position, other.pose.position, 0.0)) return false;
   if (own.cannot_walk_back != its.cannot_walk_back) return its.cannot_walk_back && (is_opposite || forms_arch);
   if (is_opposite) {
     if (walksBack(its)) return true;

@@ -78,7 +78,7 @@ class DeadlockResolver {
   bool mustGiveWay(const World& world, const Agent& agent);
   bool blocksOthers(const World& world, const Agent& agent);
   bool isBlockedByRobot(const World& world, const Agent& agent) const;
-  bool givesWayTo(const Agent& agent, const Agent& other, double time) const;
+  bool givesWayTo(const World& world, const Agent& agent, const Agent& other) const;
   void addWallContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);
   void addAgentContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);
   void slideAlongWalls(World& world, const Agent& agent);

@@ -14,6 +14,12 @@ constexpr double ASIDE_LEAVE = 0.3;     // and until none passes nearer than thi
 constexpr double ASIDE_DISTANCE = 1.0;  // of the point that it walks to [m]
 constexpr double TURNED_BACK = -0.7;    // cosine from which the direction aside leads back towards who passes
 
+/// Whether a place near a narrow one is on the floor across it, not behind a wall beside it.
+bool isOnFloorAcross(const Claim& claim, const Vector2& place) {
+  const double to_left = cross(claim.direction, place - claim.place);
+  return to_left < claim.width.left + CLAIM_MARGIN && -to_left < claim.width.right + CLAIM_MARGIN;
+}
+
 bool isRightBehind(const Claimant& claimant, const Claimant& other) {
   const Vector2 offset = other.position - claimant.position;
   const double radii = claimant.radius + other.radius;
@@ -78,14 +84,15 @@ TurnTaking::Traffic TurnTaking::trafficOf(const Claimant& claimant) {
 }
 
 void TurnTaking::addTraffic(const Claimant& claimant, const Claim& claim, Traffic& traffic) {
-  const double reach = std::max(2.0 * WayClaims::STEP, claim.width + CLAIM_MARGIN);
+  const double width = claim.width.total();
+  const double reach = std::max(2.0 * WayClaims::STEP, width + CLAIM_MARGIN);
   claims_.visitNear(claim.place, reach, [&](const NearClaim& other) {
     const Claimant& its = claims_.claimants()[other.claimant];
-    if (&its == &claimant) return;
+    if (&its == &claimant || !isOnFloorAcross(claim, other.place)) return;
     const double cosine = other.direction.dot(claim.direction);
     const bool is_inside = its.isInside() && other.is_first_passage;
     if (cosine < OPPOSITE) {
-      if (!other.is_narrow || claim.width >= claimant.radius + its.radius + claim.room) return;
+      if (!other.is_narrow || width >= claimant.radius + its.radius + claim.room) return;
       replaceIfLonger(is_inside ? traffic.opposite_inside : traffic.opposite, its);
       traffic.do_opposite_walk = traffic.do_opposite_walk || (is_inside && its.gets_on);
     } else if (cosine > SAME) {
@@ -154,7 +161,7 @@ Vector2 TurnTaking::sideOf(const World& world, const Claimant& claimant) {
     const bool is_oncoming = other.direction.dot(claimant.heading) <= OPPOSITE && other.ahead <= WayClaims::LOOKAHEAD;
     if (&its == &claimant || !is_oncoming) return;
     const double gap = (other.place - agent.pose.position).norm() - agent.radius - its.radius;
-    if (gap >= least) return;
+    if (gap >= least || !world.walls().index().isClear(agent.pose.position, other.place, 0.0)) return;
     least = gap;
     nearest = &other;
   });

@@ -87,7 +87,8 @@ void WayClaims::addPlaces(const Agent& agent, const RemainingPath& path, const F
     if (claim.ahead <= LOOKAHEAD) return false;
     if (!claim.is_narrow || claim.ahead > MAX_LENGTH) return true;
     // It does not count as narrow, see tellDoors().
-    return claims_.back().ahead > LOOKAHEAD && !narrow.isDoor() && claim.width >= 2.0 * agent.radius + PASSING_ROOM;
+    return claims_.back().ahead > LOOKAHEAD && !narrow.isDoor() &&
+           claim.width.total() >= 2.0 * agent.radius + PASSING_ROOM;
   };
   for (const Vector2& corner : path) {
     const double length = (corner - from).norm();
@@ -96,8 +97,8 @@ void WayClaims::addPlaces(const Agent& agent, const RemainingPath& path, const F
       claim.place = from + (claim.ahead - passed) * claim.direction;
       claim.is_narrow = false;
       if (!floor.hasClearance(claim.place, wideClearance(agent.radius))) {
-        claim.width = floor.widthAt(claim.place, claim.direction, agent.radius, passing_width).total();
-        claim.is_narrow = claim.width < passing_width;
+        claim.width = floor.widthAt(claim.place, claim.direction, agent.radius, passing_width);
+        claim.is_narrow = claim.width.total() < passing_width;
       }
       if (claim.is_narrow) narrow.add(claim, claims_);
       claims_.push_back(claim);
@@ -122,7 +123,7 @@ void WayClaims::tellDoors(std::size_t first, double radius) {
     for (; begin != end; ++begin) {
       if (is_door || !begin->is_narrow) continue;
       begin->room = PASSING_ROOM;
-      begin->is_narrow = begin->width < 2.0 * radius + PASSING_ROOM;
+      begin->is_narrow = begin->width.total() < 2.0 * radius + PASSING_ROOM;
     }
   }
   const auto is_beyond = [](const Claim& claim) { return claim.ahead > LOOKAHEAD && !claim.is_narrow; };

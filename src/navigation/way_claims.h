@@ -16,7 +16,7 @@ struct Claim {
   Vector2 place = Vector2::Zero();       ///< [m], `map`
   Vector2 direction = Vector2::UnitX();  ///< of the way there, unit vector
   double ahead = 0.0;                    ///< length of the way to it [m]
-  double width = 0.0;                    ///< free floor across the way, for the agent's centre; where it is narrow [m]
+  FloorWidth width;                      ///< free floor across the way, for the agent's centre; where it is narrow [m]
   double room = 0.0;                     ///< beside two bodies that pass each other there [m]
   bool is_narrow = false;                ///< agents of this size and in opposite directions do not pass each other
   std::uint32_t passage = 0;             ///< number of narrow parts of the way that begin between the agent and it

@@ -97,6 +97,21 @@ TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatItTouches) {
   EXPECT_FALSE(crowd.givesWay(0));
 }
 
+TEST(DeadlockResolver, NobodyGivesWayToAnAgentBehindAWall) {
+  const std::vector<AgentStart> agents = {walker({0.0, 0.0}, {9.0, 0.0}), walker({0.3, 0.42}, {-9.0, 0.42})};
+  Crowd together(agents);
+  Crowd apart(agents);
+  WorldEditor(apart.world).addWall({{-20.0, 0.21}, {20.0, 0.21}});
+  bool does_any_give_way = false;
+  while (together.world.time() < 2.0 * (DeadlockResolver::STUCK_TIME + DeadlockResolver::TURN_TIME)) {
+    together.stand();
+    does_any_give_way = does_any_give_way || together.doesAnyGiveWay();
+    apart.stand();
+    EXPECT_FALSE(apart.doesAnyGiveWay()) << apart.world.time();
+  }
+  EXPECT_TRUE(does_any_give_way);
+}
+
 TEST(DeadlockResolver, OneOfTwoGivesWay) {
   Crowd crowd(headOn());
   crowd.walkUntilAnyGivesWay(60.0);

@@ -73,6 +73,25 @@ TEST(TurnTaking, AgentsPassEachOtherInAWideDoor) {
   EXPECT_TRUE(door.mayWalk(1));
 }
 
+/// Two agents of opposite directions, 0.5 m apart, in a corridor of 1 m or in two corridors with a thin wall between
+/// them.
+bool doesAnyWait(const std::vector<Segment>& walls) {
+  FloorPlan floor;
+  floor.walls = walls;
+  World world = two_ways::worldOf({walker({-2.0, 0.25}, {4.0, 0.25}), walker({2.0, 0.75}, {-4.0, 0.75})}, walls);
+  TurnTaking turns(std::make_shared<FloorRuler>(floor, WayClaims::wideClearance(RADIUS)));
+  turns.update(world, std::vector<RemainingPath>{{{4.0, 0.25}}, {{-4.0, 0.75}}});
+  const auto waits = [](const Agent& agent) { return agent.yielding || agent.has_waypoint; };
+  return std::any_of(world.agents().begin(), world.agents().end(), waits);
+}
+
+TEST(TurnTaking, AgentsBehindAThinWallDoNotCount) {
+  EXPECT_TRUE(doesAnyWait(floors::room({-8.0, 0.0}, {8.0, 1.0}).walls));
+  std::vector<Segment> walls = floors::room({-8.0, -0.5}, {8.0, 1.5}).walls;
+  walls.push_back({{-8.0, 0.5}, {8.0, 0.5}});
+  EXPECT_FALSE(doesAnyWait(walls));
+}
+
 TEST(TurnTaking, AgentsWaitAtADistance) {
   Door door({east(-1.0, 0.0), west(TurnTaking::WAITING_DISTANCE + 0.6, 0.0)});
   EXPECT_TRUE(door.mayWalk(1));  // it walks up to the place where it waits
