@@ -23,7 +23,7 @@ def draw(scene, walks, robots, file, title, moment):
     picture = Picture()
     last_tick = max(walk[-1][0] for walk in [*walks.values(), *robots])
     if moment is not None and moment > last_tick * scene.tick:
-        raise InputError(f'--moment {moment:g}: the recording ends at {last_tick * scene.tick:g} s')
+        print(f'plot_paths: --moment {moment:g}: the recording ends at {last_tick * scene.tick:g} s', file=sys.stderr)
     draw_surroundings(picture, scene, last_tick * scene.tick if moment is None else moment)
     for obstacle in scene.obstacles:
         picture.draw_obstacle(obstacle, last_tick * scene.tick)

@@ -42,6 +42,11 @@ class ProgramTest:
             assert_says(output, f'walking {scenario}')
             assert len(frames_of(runner.path('a.webp'))) == 11
 
+    def test_recorded_people_of_a_scenario(self, runner):
+        status, output = film(runner, 'recorded_street', '--tools', tools_folder(), '--duration', 0.5, '--size', 320, '--output',
+                              'a.gif')
+        assert status == 0, output
+
     def test_robots_stand_at_their_start(self, runner):
         status, output = film(runner, 'robot_hall', '--tools', tools_folder(), '--duration', 1, '--size', 400,
                               '--output', 'a.gif')

@@ -107,6 +107,7 @@ class PlaceTest:
              runner.path('place.yaml'), '--output', runner.path('place.svg'), *options],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=PATIENCE, check=False)
         assert done.returncode == 0, done.stdout.decode()
+        assert ('ends at 2.9 s' in done.stdout.decode()) == ('9' in options)
         return read_text(runner.path('place.svg'))
 
     def test_legend(self, runner):

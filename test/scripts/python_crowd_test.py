@@ -164,6 +164,8 @@ robots: [{name: tug, position: [0, 0], heading: 0, radius: 0.3, max_speed: 1, sc
             with pytest.raises(social_crowd.InputError):
                 crowd.step(rotations, speeds)
         numpy.testing.assert_array_equal(crowd.positions, [[0, 0]])  # nothing has moved
+        with pytest.raises(social_crowd.InputError, match='order: simultaneous'):
+            social_crowd.Crowd('circle12').step([0.0], [1.0])
         assert issubclass(social_crowd.FileError, OSError)
         assert issubclass(social_crowd.InputError, social_crowd.CrowdError)
 
