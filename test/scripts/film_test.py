@@ -43,8 +43,8 @@ class ProgramTest:
             assert len(frames_of(runner.path('a.webp'))) == 11
 
     def test_recorded_people_of_a_scenario(self, runner):
-        status, output = film(runner, 'recorded_street', '--tools', tools_folder(), '--duration', 0.5, '--size', 320, '--output',
-                              'a.gif')
+        status, output = film(runner, 'recorded_street', '--tools', tools_folder(), '--duration', 0.5, '--size', 320,
+                              '--output', 'a.gif')
         assert status == 0, output
 
     def test_robots_stand_at_their_start(self, runner):
