@@ -222,17 +222,19 @@ void DeadlockResolver::retreat(World& world, const Agent& agent) {
   Walk& walk = walks_[agent.id];
   std::deque<Vector2>& trail = walk.trail;
   const Vector2& place = agent.pose.position;
-  if (!walk.leaves_trail) {
+  bool is_on_trail = !walk.leaves_trail;
+  if (is_on_trail) {
     while (trail.size() > 1 && (trail.back() - place).norm() < BACK) trail.pop_back();
     const Vector2 back = trail.back() - place;
-    if (back.norm() > 0.0) walk.course = back.normalized();
+    is_on_trail = back.norm() >= BACK;  // beyond the begin of its trail, it goes on in the same direction
+    if (is_on_trail) walk.course = back.normalized();
   }
   std::vector<Vector2> contacts;
   addAgentContacts(world, agent, contacts);
   addWallContacts(world, agent, contacts);
   world.walkingAgent(agent.id).yielding = false;
   const std::optional<Vector2> slid = slideAlong(walk.course, contacts);
-  const Vector2 straight = walk.leaves_trail ? Vector2(place + BACK * walk.course) : trail.back();
+  const Vector2 straight = is_on_trail ? trail.back() : Vector2(place + BACK * walk.course);
   world.walkingAgent(agent.id).setWaypoint(slid ? Vector2(place + BACK * *slid) : straight);
 }
 

@@ -102,14 +102,28 @@ TEST(DeadlockResolver, NobodyGivesWayToAnAgentBehindAWall) {
   Crowd together(agents);
   Crowd apart(agents);
   WorldEditor(apart.world).addWall({{-20.0, 0.21}, {20.0, 0.21}});
-  bool does_any_give_way = false;
+  const auto does_any_walk_back = [](const Crowd& crowd) {
+    return crowd.deadlocks.walksBack(0) || crowd.deadlocks.walksBack(1);
+  };
+  bool did_any_walk_back = false;
   while (together.world.time() < 2.0 * (DeadlockResolver::STUCK_TIME + DeadlockResolver::TURN_TIME)) {
     together.stand();
-    does_any_give_way = does_any_give_way || together.doesAnyGiveWay();
+    did_any_walk_back = did_any_walk_back || does_any_walk_back(together);
     apart.stand();
-    EXPECT_FALSE(apart.doesAnyGiveWay()) << apart.world.time();
+    EXPECT_FALSE(does_any_walk_back(apart)) << apart.world.time();
   }
-  EXPECT_TRUE(does_any_give_way);
+  EXPECT_TRUE(did_any_walk_back);
+}
+
+/// Agent 1, which has to give way, has no trail: it has just begun to walk there.
+TEST(DeadlockResolver, WithoutATrailAnAgentWalksBackAgainstItsDirection) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({0.45, 0.0}, {9.0, 0.0})});
+  do {
+    crowd.world.walkingAgent(1).yielding = true;
+    crowd.stand();
+  } while (!crowd.deadlocks.walksBack(1) && crowd.world.time() < 60.0);
+  ASSERT_TRUE(crowd.deadlocks.walksBack(1));
+  EXPECT_LT(crowd.world.agents()[1].perceivedGoal().x(), 0.45 - 0.9);
 }
 
 TEST(DeadlockResolver, OneOfTwoGivesWay) {

@@ -46,7 +46,7 @@ TEST(WayClaims, ADoorIsNarrow) {
   for (const Claim& claim : door.claims.of(claimant)) {
     EXPECT_NEAR(claim.ahead, last + WayClaims::STEP, 1e-9);
     EXPECT_NEAR((claim.place - Vector2(claim.ahead - 2.0, 0.0)).norm(), 0.0, 1e-9);
-    if (claim.is_narrow) EXPECT_NEAR(claim.width, 0.5, 2.0 * PRECISION);
+    if (claim.is_narrow) EXPECT_NEAR(claim.width.total(), 0.5, 2.0 * PRECISION);
     EXPECT_EQ(claim.passage, claim.ahead < claimant.distance ? 0U : 1U);
     last = claim.ahead;
   }
