@@ -138,7 +138,11 @@ void walkVision(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(walkTenThousand)->Name("crowd_step_10000")->Iterations(TURNS)->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(walkWithMass)->Name("crowd_step_10000_mass")->Iterations(TURNS)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(walkWithMass)
+    ->Name("crowd_step_10000_mass")
+    ->Iterations(TURNS)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(walkTwoThreads)
     ->Name("crowd_step_10000_two_threads")
     ->Iterations(TURNS)
