@@ -178,11 +178,12 @@ class FramesTest(BroadcastTestCase):
                 self.check_frame(frame, state.pose)
 
     def transforms(self, frames, child):
-        """Returns the transforms of an agent's frame in episode 0 from tick 1 on; tick 0 may be missed."""
-        began = self.ears['perceptions'].wait_at(0, 0).header.stamp
+        """Returns the transforms of an agent's frame in episode 0 from tick 1 on; tick 0 may be missed. The controller
+        publishes the states of a tick before its frames."""
+        began = self.ears['agents'].wait_at(0, 1).header.stamp
         begun_again = self.ears['scenario'].wait_at(1, 0).header.stamp
         return [frame for message in list(frames.messages) for frame in message.transforms
-                if frame.child_frame_id == child and began < frame.header.stamp < begun_again]
+                if frame.child_frame_id == child and began <= frame.header.stamp < begun_again]
 
     def check_frame(self, frame, pose):
         """Compares a transform with a pose."""
