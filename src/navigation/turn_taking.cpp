@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace crowd {
 namespace {
@@ -110,10 +111,12 @@ void TurnTaking::addTraffic(const Claimant& claimant, const Claim& claim, Traffi
 
 /// Of two agents that wait for the same time, the one with the lower id goes first.
 void TurnTaking::rank() {
-  const auto begin = [&](std::uint32_t claimant) { return approaches_[claims_.claimants()[claimant].agent].begin; };
+  const auto rank_of = [&](std::uint32_t claimant) {
+    return std::make_pair(approaches_[claims_.claimants()[claimant].agent].begin, claimant);
+  };
   order_.resize(claims_.claimants().size());
   std::iota(order_.begin(), order_.end(), 0U);
-  std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return begin(a) < begin(b); });
+  std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return rank_of(a) < rank_of(b); });
   ranks_.resize(order_.size());
   for (std::uint32_t i = 0; i < order_.size(); ++i) ranks_[order_[i]] = i;
 }
