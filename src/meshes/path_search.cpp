@@ -25,7 +25,6 @@ bool PathSearch::find(std::size_t from_polygon, const Vector2& from, std::size_t
   goal_polygon_ = to_polygon;
   goal_ = to;
   max_length_ = max_length;
-  if (!closed_.empty() && !isConnected(from_polygon)) return false;
   begin(from_polygon, from);
   Node node;
   do {
@@ -39,33 +38,6 @@ bool PathSearch::find(std::size_t from_polygon, const Vector2& from, std::size_t
   for (Index root = node.root; root != 0; root = roots_[root].parent) corners.push_back(roots_[root].position);
   std::reverse(corners.begin(), corners.end());
   return true;
-}
-
-/// Whether open polygons connect a polygon with the goal: a search that finds no path looks at many intervals.
-bool PathSearch::isConnected(std::size_t polygon) {
-  const dtMeshTile& mesh = mesh_.tile();
-  is_reached_.assign(mesh_.polygonCount(), false);
-  is_reached_[polygon] = true;
-  reached_.assign(1, polygon);
-  while (!reached_.empty() && !is_reached_[goal_polygon_]) {
-    const std::size_t at = reached_.back();
-    reached_.pop_back();
-    for (std::size_t edge = 0; edge < mesh.polys[at].vertCount; ++edge) {
-      if (!isOpen(at, edge)) continue;
-      const std::size_t behind = mesh.polys[at].neis[edge] - 1U;
-      if (is_reached_[behind]) continue;
-      is_reached_[behind] = true;
-      reached_.push_back(behind);
-    }
-  }
-  return is_reached_[goal_polygon_];
-}
-
-/// Whether a path to the goal may lead through an edge of a polygon.
-bool PathSearch::isOpen(std::size_t polygon, std::size_t edge) const {
-  const std::size_t neighbour = mesh_.tile().polys[polygon].neis[edge];
-  if (neighbour == 0 || !mesh_.exits().doesLead(polygon, edge, goal_polygon_)) return false;
-  return neighbour - 1 == goal_polygon_ || std::find(closed_.begin(), closed_.end(), neighbour - 1) == closed_.end();
 }
 
 void PathSearch::begin(std::size_t polygon, const Vector2& from) {
@@ -187,9 +159,11 @@ void PathSearch::addSides(Index root, Index polygon, const Cut& first, const Cut
 
 void PathSearch::addInterval(Index root, Index polygon, Index edge, const Point& right, const Point& left) {
   const dtMeshTile& tile = mesh_.tile();
-  if (!isOpen(polygon, edge)) return;
+  if (tile.polys[polygon].neis[edge] == 0 || !mesh_.exits().doesLead(polygon, edge, goal_polygon_)) return;
   if ((left.position - right.position).squaredNorm() < PATH_ROUNDING * PATH_ROUNDING) return;
   const Index behind = tile.polys[polygon].neis[edge] - Index{1};
+  const bool is_closed = std::find(closed_.begin(), closed_.end(), behind) != closed_.end();
+  if (is_closed && behind != goal_polygon_) return;
   const dtPoly& shape = tile.polys[behind];
   Index entry = 0;
   while (shape.neis[entry] != polygon + 1) ++entry;
@@ -247,9 +221,8 @@ PathSearch::Point PathSearch::point(Index vertex) const {
 }
 
 std::size_t PathSearch::bytes() const {
-  return sizeof(*this) + is_reached_.capacity() + reached_.capacity() * sizeof(std::size_t) +
-         roots_.capacity() * sizeof(Root) + open_.capacity() * sizeof(Node) + best_.capacity() * sizeof(double) +
-         touched_.capacity() * sizeof(Index);
+  return sizeof(*this) + roots_.capacity() * sizeof(Root) + open_.capacity() * sizeof(Node) +
+         best_.capacity() * sizeof(double) + touched_.capacity() * sizeof(Index);
 }
 
 }  // namespace crowd

@@ -62,8 +62,6 @@ class PathSearch {
     Point point;
   };
 
-  bool isConnected(std::size_t polygon);
-  bool isOpen(std::size_t polygon, std::size_t edge) const;
   void begin(std::size_t polygon, const Vector2& from);
   void expand(const Node& node);
   void expandVisible(const Node& node);
@@ -85,9 +83,7 @@ class PathSearch {
   Point point(Index vertex) const;
 
   const NavigationMesh::Data& mesh_;
-  std::vector<std::size_t> closed_;       // few
-  std::vector<std::uint8_t> is_reached_;  // by isConnected(), for each polygon
-  std::vector<std::size_t> reached_;      // polygons whose neighbours it looks at next
+  std::vector<std::size_t> closed_;  // few
   std::size_t goal_polygon_ = 0;
   Vector2 goal_ = Vector2::Zero();
   double max_length_ = 0.0;

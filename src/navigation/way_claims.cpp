@@ -9,20 +9,6 @@ constexpr double CELL = 1.0;           // of the grid [m]
 constexpr double WALKING_SHARE = 0.1;  // of the maximum speed, above which an agent gets on
 constexpr double GAP = 1.2;            // between narrow places that belong together, as at the doors of a corridor [m]
 
-/// Narrow claims of a way that belong together, from `begin` to before `end`.
-struct NarrowPart {
-  /// Adds a narrow claim, which is behind all claims before it.
-  void add(const Claim& claim, const std::vector<Claim>& before) {
-    const bool belongs = end > begin && (end == before.size() || claim.ahead - before[end].ahead <= GAP);
-    if (!belongs) begin = before.size();
-    end = before.size() + 1;
-  }
-  bool isDoor() const { return static_cast<double>(end - begin) * WayClaims::STEP <= WayClaims::DOOR_LENGTH; }
-
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
-
 }  // namespace
 
 void WayClaims::update(const World& world, const AgentMap<RemainingPath>& paths, const FloorRuler& floor) {
@@ -82,14 +68,7 @@ void WayClaims::addPlaces(const Agent& agent, const RemainingPath& path, const F
   claim.room = DOOR_ROOM;
   Vector2 from = agent.pose.position;
   double passed = 0.0;  // length of the way to `from`
-  NarrowPart narrow;
-  const auto is_end = [&] {
-    if (claim.ahead <= LOOKAHEAD) return false;
-    if (!claim.is_narrow || claim.ahead > MAX_LENGTH) return true;
-    // It does not count as narrow, see tellDoors().
-    return claims_.back().ahead > LOOKAHEAD && !narrow.isDoor() &&
-           claim.width.total() >= 2.0 * agent.radius + PASSING_ROOM;
-  };
+  const auto is_end = [&] { return claim.ahead > (claim.is_narrow ? MAX_LENGTH : LOOKAHEAD); };
   for (const Vector2& corner : path) {
     const double length = (corner - from).norm();
     for (; claim.ahead <= passed + length && !is_end(); claim.ahead += STEP) {
@@ -100,7 +79,6 @@ void WayClaims::addPlaces(const Agent& agent, const RemainingPath& path, const F
         claim.width = floor.widthAt(claim.place, claim.direction, agent.radius, passing_width);
         claim.is_narrow = claim.width.total() < passing_width;
       }
-      if (claim.is_narrow) narrow.add(claim, claims_);
       claims_.push_back(claim);
     }
     if (is_end()) break;

@@ -24,7 +24,7 @@ TEST(CutStops, TheStoppingWayFitsTheAdvance) {
   fractions.fill(1.0);
   fractions[4] = 0.1;
   xs[4] = 1.0;
-  // v 0.1 + v^2 / 6 = 0.1066... for v = 0.6; with half the share along the normal, twice the way: v = 0.9105...
+  // Braking 3 m/s2, tick 0.1 s, advance 0.12 m, maximum speed 1.5 m/s.
   const StopLimit limit{1.0, 0.0, 2.0 * 3.0 * 0.12, 0.3, 1.0 / 1.5};
   for (const Kernels& kernels : availableKernels()) {
     Lanes cut = fractions;
