@@ -39,20 +39,14 @@ class ClearanceGrid {
     return origin_ + spacing_ * Vector2(static_cast<double>(point % columns_), static_cast<double>(row));
   }
   /// @brief The grid point nearest to a place [m], `map`; OUTSIDE if the place is more than half a cell off the grid.
-  Index nearest(const Vector2& place) const {
-    const Vector2 cells = toCells(place);
-    return isOn(cells) ? pointAt(cells) : OUTSIDE;
-  }
+  Index nearest(const Vector2& place) const { return pointAt(toCells(place)); }
   /// @brief Column and row of a place, plus 0.5, so that their integer parts are those of the nearest grid point.
   Vector2 toCells(const Vector2& place) const { return points_per_metre_ * (place - origin_) + Vector2(0.5, 0.5); }
-  /// @brief Whether there is a grid point at toCells() of a place.
-  bool isOn(const Vector2& cells) const {
-    return cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() < columns_ && cells.y() < rows_;
-  }
   /// @brief Distance at toCells() of a place, as at its nearest grid point [m]; infinite off the grid.
-  double at(const Vector2& cells) const { return isOn(cells) ? atOn(cells) : INFINITE; }
-  /// @brief The same of a place that isOn() the grid.
-  double atOn(const Vector2& cells) const { return distances_[pointAt(cells)]; }
+  double at(const Vector2& cells) const {
+    const Index point = pointAt(cells);
+    return point == OUTSIDE ? INFINITE : distances_[point];
+  }
 
   /// @brief The grid point that is this number of columns and rows away; OUTSIDE if there is none.
   Index offset(Index point, int columns, int rows) const {
@@ -91,10 +85,8 @@ class ClearanceGrid {
   void lower(const Vector2& low, const Vector2& high, const Distance& distance);
 
   Index pointAt(const Vector2& cells) const {
-    // Signed integers: conversions to unsigned ones cost more.
-    const auto column = static_cast<std::int32_t>(cells.x());
-    const auto row = static_cast<std::int32_t>(cells.y());
-    return static_cast<Index>(row) * columns_ + static_cast<Index>(column);
+    const bool inside = cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() < columns_ && cells.y() < rows_;
+    return inside ? static_cast<Index>(cells.y()) * columns_ + static_cast<Index>(cells.x()) : OUTSIDE;
   }
 
   Vector2 origin_ = Vector2::Zero();

@@ -42,15 +42,10 @@ class FloorRuler {
 
   double roomTo(const Vector2& side, const Vector2& place, double radius, double limit) const {
     const Vector2 step = STEP / grid_.spacing() * side;
-    const Vector2 first = grid_.toCells(place) + step;
-    const auto room = [&](const auto& clearance_at) {
-      double width = 0.0;
-      for (Vector2 cell = first; width < limit && clearance_at(cell) >= radius; cell += step) width += STEP;
-      return width;
-    };
-    const bool is_on_grid = grid_.isOn(first) && grid_.isOn(first + (limit / STEP + 1.0) * step);
-    return is_on_grid ? room([this](const Vector2& cell) { return grid_.atOn(cell); })
-                      : room([this](const Vector2& cell) { return grid_.at(cell); });
+    double width = 0.0;
+    for (Vector2 cell = grid_.toCells(place) + step; width < limit && grid_.at(cell) >= radius; cell += step)
+      width += STEP;
+    return width;
   }
 
   ClearanceGrid grid_;
