@@ -45,6 +45,7 @@ class RvizTest(unittest.TestCase):
 
     def shows(self, colour, least):
         """Returns whether the screen has a minimum number of pixels of a colour."""
+        self.assertIsNone(self.rviz.poll(), 'RViz has ended')
         picture = self.screenshot()
         return picture is not None and count_like(picture, colour) >= least
 

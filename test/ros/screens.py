@@ -2,14 +2,21 @@
 import os
 import queue
 import subprocess
+import sys
 import threading
 import time
 
 from roslib.packages import find_node
 from support import PATIENCE, in_package, wait_for
+from renderer import crashed_at_start
 from screen import Screen, end  # noqa: F401
 
+FRAMES = 3  # after which RViz counts as started
 PRESS_PATIENCE = 5.0  # [s] until a click counts as missed
+
+
+class RvizEnded(AssertionError):
+    """RViz ended where it should have answered."""
 
 
 class DrivenRviz:
@@ -19,31 +26,53 @@ class DrivenRviz:
         self.screen = screen
         self.lock = threading.Lock()
         self.log = open(log or os.devnull, 'ab')
-        command = find_node('social_crowd', 'rviz_driver')[:1] + ['-d', configuration, '__name:=' + name]
-        environment = dict(screen.environment, ROS_NAMESPACE=namespace)
-        self.process = subprocess.Popen(command, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                        stderr=self.log)
-        self.answers = queue.Queue()
-        threading.Thread(target=self.listen, daemon=True).start()
+        self.command = find_node('social_crowd', 'rviz_driver')[:1] + ['-d', configuration, '__name:=' + name]
+        self.environment = dict(screen.environment, ROS_NAMESPACE=namespace)
+        since = time.monotonic()
+        if not self.draws():
+            if not crashed_at_start(self.process, since):
+                raise AssertionError(f'RViz has ended at its start with status {self.process.returncode}')
+            print("Mesa's software renderer has crashed; RViz is started again", file=sys.stderr, flush=True)
+            assert self.draws(), 'RViz has ended at its start again'
 
-    def listen(self):
+    def draws(self):
+        """Starts RViz, and waits for its first frames. Returns false if it ends before."""
+        self.process = subprocess.Popen(self.command, env=self.environment, stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, stderr=self.log)
+        self.answers = queue.Queue()
+        threading.Thread(target=self.listen, args=(self.process, self.answers), daemon=True).start()
+        try:
+            wait_for(lambda: int(self.ask('frames', '')) >= FRAMES, 'the first frames of RViz')
+        except RvizEnded:
+            self.process.wait(PATIENCE)
+            return False
+        except BaseException:
+            self.clean_up()
+            raise
+        return True
+
+    @staticmethod
+    def listen(process, answers):
         """Keeps the answers, and None when RViz has ended. Runs in a thread, so that ask() does not wait for ever."""
-        for line in self.process.stdout:
+        for line in process.stdout:
             if line.startswith(b'answer: '):
-                self.answers.put(line.decode()[len('answer: '):].rstrip('\n'))
-        self.answers.put(None)
+                answers.put(line.decode()[len('answer: '):].rstrip('\n'))
+        answers.put(None)
 
     def ask(self, verb, widget):
         """Asks for the place, text or state of a widget. Returns the answer, None if there is no such widget."""
         with self.lock:
-            self.process.stdin.write(f'{verb} {widget}\n'.encode())
-            self.process.stdin.flush()
+            try:
+                self.process.stdin.write(f'{verb} {widget}\n'.encode())
+                self.process.stdin.flush()
+            except BrokenPipeError as error:
+                raise RvizEnded('RViz has ended') from error
             try:
                 answer = self.answers.get(timeout=PATIENCE)
             except queue.Empty as error:
                 raise AssertionError(f'RViz does not answer {verb} {widget}') from error
         if answer is None:
-            raise AssertionError('RViz has ended')
+            raise RvizEnded('RViz has ended')
         return None if answer == 'no such widget' else answer
 
     def text(self, widget):

@@ -1,10 +1,12 @@
 """scripts/screenshots: pictures of RViz without a display."""
+import os
 import shutil
 import subprocess
 
 import pytest
 from matplotlib.image import imread
 from programs import PATIENCE, in_package
+from renderer import variables
 
 TOOL_COLOUR = 0.1, 0.45, 0.9  # of outlines
 BEST_COLOUR = 0.993, 0.906, 0.144  # of the wedge of the best move
@@ -15,7 +17,8 @@ LIKE = 0.06
 def run(*arguments):
     """Returns exit status and output of the script."""
     done = subprocess.run([in_package('scripts', 'screenshots'), *map(str, arguments)], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, timeout=3 * PATIENCE, check=False)
+                          stderr=subprocess.STDOUT, timeout=3 * PATIENCE, check=False,
+                          env=dict(os.environ, **variables()))
     return done.returncode, done.stdout.decode()
 
 

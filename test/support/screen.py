@@ -4,6 +4,7 @@ import signal
 import subprocess
 
 from matplotlib.image import imread
+from renderer import variables
 
 SIZE = '1280x900x24'
 
@@ -19,8 +20,7 @@ class Screen:
         os.close(write)
         with os.fdopen(read) as displays:
             number = displays.readline().strip()
-        # One thread: RViz crashed in a thread of Mesa's renderer.
-        self.variables = {'DISPLAY': ':' + number, 'LIBGL_ALWAYS_SOFTWARE': '1', 'LP_NUM_THREADS': '0'}
+        self.variables = dict(variables(), DISPLAY=':' + number)
         self.environment = dict(os.environ, **self.variables)
 
     def picture(self, file):
