@@ -17,7 +17,7 @@ LIKE = 0.06
 def run(*arguments):
     """Returns exit status and output of the script."""
     done = subprocess.run([in_package('scripts', 'screenshots'), *map(str, arguments)], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, timeout=3 * PATIENCE, check=False,
+                          stderr=subprocess.STDOUT, timeout=5 * PATIENCE, check=False,
                           env=dict(os.environ, **variables()))
     return done.returncode, done.stdout.decode()
 
