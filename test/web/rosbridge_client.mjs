@@ -29,8 +29,8 @@ ros.on('connection', async () => {
   seen.topics = await new Promise((resolve, reject) => ros.getTopics(resolve, reject));
   for (let i = 0; i < words.length; i += 2) seen.messages[words[i]] = await nextMessage(words[i], words[i + 1]);
   seen.calls.push(await call('/crowd_controller/pause', 'std_srvs/SetBool', { data: true }));
-  const start = { x: 0.5, y: -0.5, theta: 0 };
-  const agent = { pose: start, goal: { x: 3, y: -0.5, z: 0 }, max_speed: 1.2, radius: 0.2 };
+  const start = { x: 8, y: 8, theta: 0 }; // outside of the circle: there is always room
+  const agent = { pose: start, goal: { x: 11, y: 8, z: 0 }, max_speed: 1.2, radius: 0.2 };
   seen.calls.push(await call('/crowd_controller/spawn_agent', 'social_crowd/SpawnAgent', agent));
   seen.calls.push(await call('/crowd_controller/spawn_agent', 'social_crowd/SpawnAgent', { position: start })); // no such field
   seen.calls.push(await call('/rosout/get_loggers', 'roscpp/GetLoggers', {})); // not of the crowd
