@@ -8,7 +8,7 @@ import time
 
 from roslib.packages import find_node
 from support import PATIENCE, in_package, wait_for
-from renderer import crashed_at_start
+from renderer import RESTARTED, crashed_at_start
 from screen import Screen, end  # noqa: F401
 
 FRAMES = 3  # after which RViz counts as started
@@ -32,7 +32,7 @@ class DrivenRviz:
         if not self.draws():
             if not crashed_at_start(self.process, since):
                 raise AssertionError(f'RViz has ended at its start with status {self.process.returncode}')
-            print("Mesa's software renderer has crashed; RViz is started again", file=sys.stderr, flush=True)
+            print(RESTARTED, file=sys.stderr, flush=True)
             assert self.draws(), 'RViz has ended at its start again'
 
     def draws(self):

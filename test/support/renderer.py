@@ -8,6 +8,7 @@ import time
 WRAPPERS = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'wrappers')  # has an `rviz` that starts it again
 DRIVER = 'swrast_dri.so'
 START = 30.0  # [s]; a later crash is no crash of a start
+RESTARTED = "Mesa's software renderer has crashed; RViz is started again"  # for the output of tests
 LOG_DELAY = 0.2  # [s] for the kernel to write its log
 
 
