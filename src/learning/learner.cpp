@@ -201,7 +201,9 @@ inline void Learner::answer(DecisionWorkspace& workspace, std::vector<AgentActio
     choice.action = action;
     AgentAction& given = actions.emplace_back();
     given.agent = self.agent;
-    given.action = model_.action_set->relativeAction(workspace.seen[k], &workspace.moves[k * blocks_each_], action);
+    const MoveBlock* const moves = &workspace.moves[k * blocks_each_];
+    given.action = options_.mode == Mode::DEMO ? model_.action_set->relativeAction(workspace.seen[k], moves, action)
+                                               : model_.action_set->exactAction(workspace.seen[k], moves, action);
   }
 }
 

@@ -33,7 +33,7 @@ struct Features {
 
 MoveFeatures describeAll(const PerceptionsBuilder& scene, const CandidateMove& move) {
   const double min_fraction = AnticipationStates::Parameters().admissible_fractions.front();
-  return featuresAlone(scene.perception(), toBlocks({move})[0], 1, min_fraction);
+  return featuresAlone(scene.perception(), toBlocks({move})[0], 1, {CandidateSpeeds::WANTED, min_fraction});
 }
 
 Features describe(const PerceptionsBuilder& scene, const CandidateMove& move) {
@@ -174,7 +174,8 @@ TEST(AnticipationStates, AcceptsAnyActionSet) {
 TEST(AnticipationStates, AgreesWithItsSpec) {
   const std::string spec =
       "{type: anticipation, vision_radius: 5, wall_distance: 0.8, max_neighbours: 9, reciprocal_times: [1, 2], "
-      "constant_velocity_times: [], static_times: [3], admissible_fractions: [0.5], turns: [10], oncoming: []}";
+      "constant_velocity_times: [], static_times: [3], admissible_fractions: [0.5], turns: [10], oncoming: [], "
+      "personal_space: 0.2, candidate_speeds: admissible}";
   const auto made = makeStateSet(YAML::Load(spec), {"file.yaml", 0, "state_set"}, GoalRelativeActions());
   EXPECT_EQ(made->spec(), spec);
   EXPECT_EQ(made->rowCount(), 24U);  // 3 * 2 * 2 * 2

@@ -100,6 +100,17 @@ RelativeAction ahead(AgentId agent, bool beside_wall) {
   return relativeAction(walkingAsPeopleDo(), scene.perception(), 0);
 }
 
+TEST(Gait, IsNotThatOfAgentsWhoLearn) {
+  const auto scene =
+      PerceptionsBuilder().agent(0, {5.0, 0.0}).speed(1.3).walking({1.3, 0.0}).motion({3.0, 3.0, INFINITE});
+  const GoalRelativeActions actions = walkingAsPeopleDo();
+  const Perception seen = scene.perception();
+  const RelativeAction exact = actions.exactAction(seen, movesOf(actions, seen).data(), 0);
+  EXPECT_EQ(exact.rotation, 0.0);
+  EXPECT_EQ(exact.speed_fraction, 1.0);
+  EXPECT_NE(relativeAction(actions, seen, 0).rotation, 0.0);
+}
+
 TEST(Gait, DeviatesOnlyWhereThereIsSpace) {
   for (AgentId agent = 0; agent < 50; ++agent) {
     EXPECT_NE(ahead(agent, false).rotation, 0.0) << agent;

@@ -55,14 +55,20 @@ double spaceKept(const Perception& seen, double personal_space) {
   return 0.0;
 }
 
-Expected expect(const Perception& seen, const CandidateMove& move, double personal_space) {
+/// The share of the maximum speed at which collisions of a move are predicted.
+double predictedShare(const CandidateMove& move, const CollisionPrediction& prediction) {
+  if (prediction.speeds == CandidateSpeeds::ADMISSIBLE) return move.fraction;
+  const bool blocked = move.wanted > 0.0 && move.fraction / move.wanted < prediction.min_fraction;
+  return blocked ? 0.0 : move.wanted;
+}
+
+Expected expect(const Perception& seen, const CandidateMove& move, const CollisionPrediction& prediction) {
   const AgentPerception& self = seen.self;
-  const bool blocked = move.wanted > 0.0 && move.fraction / move.wanted < MIN_FRACTION;
-  const Vector2 u = (blocked ? 0.0 : move.wanted * self.max_speed) * move.direction;
+  const Vector2 u = predictedShare(move, prediction) * self.max_speed * move.direction;
   Expected times;
   for (const Neighbour& neighbour : seen.neighbours) {
     const bool is_agent = neighbour.kind == NeighbourKind::AGENT;
-    const double space = is_agent ? spaceKept(seen, personal_space) : 0.0;
+    const double space = is_agent ? spaceKept(seen, prediction.personal_space) : 0.0;
     const double reach = self.radius + neighbour.radius + space;
     const double constant_velocity = timeToCollision(neighbour.position, u - neighbour.velocity, reach);
     double& place = neighbour.kind == NeighbourKind::AGENT ? times.constant_velocity : times.static_bodies;
@@ -90,11 +96,12 @@ TEST(MoveFeatures, AgreeWithAReferenceForEachMove) {
     const PerceptionsBuilder scene = anyScene(random);
     std::vector<CandidateMove> moves(1 + random.below(MoveFeatures::LANES));
     for (CandidateMove& move : moves) move = anyMove(random);
+    const auto speeds = random.below(2) == 0 ? CandidateSpeeds::WANTED : CandidateSpeeds::ADMISSIBLE;
     const double space = random.below(2) == 0 ? 0.0 : random.uniform(0.0, 1.0);
-    const MoveFeatures features =
-        featuresAlone(scene.perception(), toBlocks(moves)[0], moves.size(), MIN_FRACTION, space);
+    const CollisionPrediction prediction{speeds, MIN_FRACTION, space};
+    const MoveFeatures features = featuresAlone(scene.perception(), toBlocks(moves)[0], moves.size(), prediction);
     for (std::size_t i = 0; i < moves.size(); ++i) {
-      const Expected expected = expect(scene.perception(), moves[i], space);
+      const Expected expected = expect(scene.perception(), moves[i], prediction);
       compared += 3;
       apart += agree(features.reciprocal_times[i], expected.reciprocal) ? 0 : 1;
       apart += agree(features.constant_velocity_times[i], expected.constant_velocity) ? 0 : 1;
@@ -110,12 +117,26 @@ TEST(MoveFeatures, OncomingIsTheFastestApproachOnTheWayToTheGoal) {
   // faster.
   auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({2.0, 0.0}, 0.25).velocity({0.3, 0.0}, {-0.15, 0.0});
   const MoveBlock moves = toBlocks({CandidateMove()})[0];
-  const auto oncoming = [&] { return featuresAlone(scene.perception(), moves, 1, 0.0).oncoming; };
+  const auto oncoming = [&] { return featuresAlone(scene.perception(), moves, 1, {}).oncoming; };
   EXPECT_NEAR(oncoming(), 1.5, 1e-6);
   scene.neighbour({-2.0, 0.0}, 0.25).velocity({0.3, 0.0}, {0.9, 0.0});
   EXPECT_NEAR(oncoming(), 2.0, 1e-6);
   scene.neighbour({1.0, 0.0}, 0.25).velocity({0.3, 0.0}, {-0.9, 0.0}).kind(NeighbourKind::OBSTACLE);
   EXPECT_NEAR(oncoming(), 2.0, 1e-6);
+}
+
+TEST(MoveFeatures, CollisionsArePredictedAtTheWantedOrTheAdmissibleSpeed) {
+  // 0.5 m from rim to rim of a pillar, at 0.5 m/s; the separation rule admits a fifth of the move.
+  const auto scene =
+      PerceptionsBuilder().agent(0, {9.0, 0.0}).neighbour({1.0, 0.0}, 0.25).kind(NeighbourKind::OBSTACLE);
+  const Perception seen = scene.perception();
+  ASSERT_EQ(seen.self.radius, 0.25);
+  const MoveBlock moves = toBlocks({CandidateMove{{1.0, 0.0}, 0.5, 0.1}})[0];
+  const auto time = [&](const CollisionPrediction& prediction) {
+    return featuresAlone(seen, moves, 1, prediction).static_times[0];
+  };
+  EXPECT_NEAR(time({CandidateSpeeds::WANTED, 0.05}), 0.5 / (0.5 * seen.self.max_speed), 1e-5);
+  EXPECT_NEAR(time({CandidateSpeeds::ADMISSIBLE, 0.05}), 0.5 / (0.1 * seen.self.max_speed), 1e-5);
 }
 
 }  // namespace

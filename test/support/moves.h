@@ -29,10 +29,10 @@ inline RelativeAction relativeAction(const ActionSet& actions, const Perception&
 }
 
 /// @brief Features of the first `count` moves of a block.
-inline MoveFeatures featuresAlone(const Perception& perception, MoveBlock moves, std::size_t count, double min_fraction,
-                                  double personal_space = 0.0) {
+inline MoveFeatures featuresAlone(const Perception& perception, MoveBlock moves, std::size_t count,
+                                  const CollisionPrediction& prediction) {
   MoveFeatures features;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
-  computeMoveFeatures({&perception, 1}, &moves, 1, count, min_fraction, personal_space, &features);
+  computeMoveFeatures({&perception, 1}, &moves, 1, count, prediction, &features);
   return features;
 }
 

@@ -18,7 +18,8 @@ namespace crowd {
 /// @brief The moves that an agent can choose from at a tick. Immutable: any number of learners and threads may share
 /// one object, and all functions may be called concurrently.
 ///
-/// Call contract: the learner calls findMoves() before the state set, then relativeAction() for the chosen moves.
+/// Call contract: the learner calls findMoves() before the state set, then relativeAction() or exactAction() for the
+/// chosen moves.
 ///
 /// Perceptions hold at most StateSet::maxNeighbours() neighbours, nearest rim first (up to rounding); an action set may
 /// rely on this order, and does not perceive further neighbours.
@@ -38,6 +39,10 @@ class ActionSet {
   /// @param moves those that findMoves() wrote for the perception `seen`
   virtual RelativeAction relativeAction(const Perception& /*seen*/, const MoveBlock* moves, Action action) const {
     return toAction(moveAt(moves, action));
+  }
+  /// @brief The same, without random deviations such as a gait: what agents do while they learn.
+  virtual RelativeAction exactAction(const Perception& seen, const MoveBlock* moves, Action action) const {
+    return relativeAction(seen, moves, action);
   }
   /// @brief The limits of the changes of velocity that its agents are to have, see Vision::motion.
   virtual MotionLimits motion() const { return {}; }

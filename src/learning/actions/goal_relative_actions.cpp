@@ -86,13 +86,17 @@ void GoalRelativeActions::keepTimeGap(const PerceptionBatch& batch, MoveBlock* m
 
 RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const MoveBlock* moves,
                                                    Action action) const {
+  const bool may_deviate = parameters_.gait.isOn() && seen.motion.areOn() && !seen.self.held;
+  // An escape from a moving obstacle leaves no space for deviations.
+  if (!may_deviate || rule_.mustEscape(seen)) return exactAction(seen, moves, action);
+  const CandidateMove deviated = deviate(moveAt(moves, action), parameters_.gait, seen);
+  return rule_.isFree(seen, deviated) ? rule_.actionTowards(seen, deviated) : exactAction(seen, moves, action);
+}
+
+RelativeAction GoalRelativeActions::exactAction(const Perception& seen, const MoveBlock* moves, Action action) const {
   const CandidateMove move = moveAt(moves, action);
   if (!seen.motion.areOn()) return toAction(move);
-  if (seen.self.held) return rule_.actionTowards(seen, {Vector2::UnitX(), 0.0, 0.0});
-  // An escape from a moving obstacle leaves no space for deviations.
-  if (!parameters_.gait.isOn() || rule_.mustEscape(seen)) return rule_.actionTowards(seen, move);
-  const CandidateMove deviated = deviate(move, parameters_.gait, seen);
-  return rule_.actionTowards(seen, rule_.isFree(seen, deviated) ? deviated : move);
+  return rule_.actionTowards(seen, seen.self.held ? CandidateMove{Vector2::UnitX(), 0.0, 0.0} : move);
 }
 
 /// Absent while it is off: headers of tables stay as they were.

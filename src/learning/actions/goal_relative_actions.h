@@ -34,6 +34,7 @@ class GoalRelativeActions : public ActionSet {
   Action size() const override { return static_cast<Action>(mirrored_.size()); }
   void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
   RelativeAction relativeAction(const Perception& seen, const MoveBlock* moves, Action action) const override;
+  RelativeAction exactAction(const Perception& seen, const MoveBlock* moves, Action action) const override;
   MotionLimits motion() const override { return parameters_.motion; }
   Action mirrored(Action action) const override { return mirrored_[action]; }
   std::string spec() const override;

@@ -25,7 +25,9 @@ simd::ClassDigit digitOf(const MoveFeatures::Lanes& values, const std::vector<fl
 }  // namespace
 
 AnticipationStates::AnticipationStates(const Parameters& parameters, Action actions)
-    : parameters_(parameters), actions_(actions) {
+    : parameters_(parameters),
+      actions_(actions),
+      prediction_{parameters.candidate_speeds, 0.0, parameters.personal_space} {
   std::vector<double> turns;
   for (const double turn : parameters.turns) turns.push_back(-portable::cos(toRadians(turn)));
   addLimits(parameters.reciprocal_times, reciprocal_times_);
@@ -34,7 +36,7 @@ AnticipationStates::AnticipationStates(const Parameters& parameters, Action acti
   addLimits(parameters.admissible_fractions, admissible_fractions_);
   addLimits(turns, turn_cosines_);
   addLimits(parameters.oncoming, oncoming_);
-  if (!parameters.admissible_fractions.empty()) min_fraction_ = parameters.admissible_fractions.front();
+  if (!parameters.admissible_fractions.empty()) prediction_.min_fraction = parameters.admissible_fractions.front();
 }
 
 void AnticipationStates::addLimits(const std::vector<double>& limits, Limits& single) {
@@ -59,13 +61,14 @@ void AnticipationStates::findRows(const PerceptionBatch& batch, const MoveBlock*
   std::array<MoveFeatures, MAX_BATCH> features;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   for (Action first = 0; first < actions_; first += MoveFeatures::LANES) {
     const std::size_t count = std::min<std::size_t>(actions_ - first, MoveFeatures::LANES);
-    computeMoveFeatures(batch, moves + first / MoveFeatures::LANES, blocksOf(actions_), count, min_fraction_,
-                        parameters_.personal_space, features.data());
+    computeMoveFeatures(batch, moves + first / MoveFeatures::LANES, blocksOf(actions_), count, prediction_,
+                        features.data());
     for (std::size_t k = 0; k < batch.size(); ++k) findRows(features[k], count, rows + k * actions_ + first);
   }
 }
 
 std::string AnticipationStates::spec() const {
+  const CandidateSpeeds speeds = parameters_.candidate_speeds;
   return std::string("{type: ") + TYPE + ", vision_radius: " + toText(parameters_.vision_radius) +
          ", wall_distance: " + toText(parameters_.wall_distance) +
          ", max_neighbours: " + std::to_string(parameters_.max_neighbours) +
@@ -74,7 +77,8 @@ std::string AnticipationStates::spec() const {
          ", static_times: " + toText(parameters_.static_times) +
          ", admissible_fractions: " + toText(parameters_.admissible_fractions) +
          ", turns: " + toText(parameters_.turns) + ", oncoming: " + toText(parameters_.oncoming) +
-         (parameters_.personal_space > 0.0 ? ", personal_space: " + toText(parameters_.personal_space) : "") + "}";
+         (parameters_.personal_space > 0.0 ? ", personal_space: " + toText(parameters_.personal_space) : "") +
+         (speeds == CandidateSpeeds::WANTED ? "" : ", candidate_speeds: " + CANDIDATE_SPEEDS.nameOf(speeds)) + "}";
 }
 
 RowMeaning AnticipationStates::meaning() const {
@@ -91,7 +95,7 @@ RowMeaning AnticipationStates::meaning() const {
 
 std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const ActionSet& action_set) {
   map.allow({"type", "vision_radius", "wall_distance", "max_neighbours", "reciprocal_times", "constant_velocity_times",
-             "static_times", "admissible_fractions", "turns", "oncoming", "personal_space"});
+             "static_times", "admissible_fractions", "turns", "oncoming", "personal_space", "candidate_speeds"});
   AnticipationStates::Parameters parameters;
   parameters.vision_radius = map.number("vision_radius", limits::DISTANCE, parameters.vision_radius);
   parameters.wall_distance = map.number("wall_distance", limits::DISTANCE, parameters.wall_distance);
@@ -109,6 +113,7 @@ std::shared_ptr<const StateSet> readAnticipationStates(YamlMap& map, const Actio
   read("turns", 180.0, parameters.turns);
   read("oncoming", FASTEST_APPROACH, parameters.oncoming);
   parameters.personal_space = map.number("personal_space", {NumberRule::NOT_NEGATIVE, MOST_SPACE, "m"}, 0.0);
+  parameters.candidate_speeds = CANDIDATE_SPEEDS.read(map, parameters.candidate_speeds);
   if (rows > static_cast<double>(limits::Q_VALUES)) {
     throwProblem(map.place(), map.node(),
                  "expected limits for at most " + std::to_string(limits::Q_VALUES) + " rows, got " + toText(rows));

@@ -39,6 +39,7 @@ class AnticipationStates : public StateSet, public ExplainedRows {
     /// By which other agents count as larger in the times to collision, as far as that leaves a part of
     /// the gap to the nearest one [m].
     double personal_space = 0.0;
+    CandidateSpeeds candidate_speeds = CandidateSpeeds::WANTED;
   };
 
   /// @param actions number of actions of the action set
@@ -71,7 +72,7 @@ class AnticipationStates : public StateSet, public ExplainedRows {
   Limits admissible_fractions_;
   Limits turn_cosines_;  // negative cosines, which ascend with the angle
   Limits oncoming_;
-  double min_fraction_ = 0.0;
+  CollisionPrediction prediction_;
   Row row_count_ = 1;
 };
 

@@ -20,11 +20,11 @@ struct Course {
   float time_to_goal;  // at full speed; later collisions do not count [s]
 };
 
-/// Writes the velocities of the moves; zero for a move with an admissible fraction below min_fraction.
+/// Writes the velocities of the moves at which collisions are predicted.
 /// @details One short loop per step: the compiler vectorises these, but not one loop with all steps.
 /// @param walking whether the agent moved in the last tick; if not, no move is a turn
-void findCandidates(const MoveBlock& __restrict moves, float min_fraction, float max_speed, bool walking,
-                    MoveFeatures& __restrict features, CandidateVelocities& __restrict candidates) {
+void findCandidates(const MoveBlock& __restrict moves, const CollisionPrediction& prediction, float max_speed,
+                    bool walking, MoveFeatures& __restrict features, CandidateVelocities& __restrict candidates) {
   // NOLINTBEGIN(cppcoreguidelines-pro-type-member-init): written below
   Lanes x;
   Lanes speed;
@@ -38,7 +38,12 @@ void findCandidates(const MoveBlock& __restrict moves, float min_fraction, float
     const float quotient = share[i] / speed[i];
     left[i] = speed[i] > 0.0F ? quotient : 1.0F;
   }
-  for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) speed[i] = left[i] < min_fraction ? 0.0F : speed[i] * max_speed;
+  if (prediction.speeds == CandidateSpeeds::ADMISSIBLE) {
+    for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) speed[i] = share[i] * max_speed;
+  } else {
+    const auto least = static_cast<float>(prediction.min_fraction);
+    for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) speed[i] = left[i] < least ? 0.0F : speed[i] * max_speed;
+  }
   for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) candidates.xs[i] = speed[i] * x[i];
   for (std::size_t i = 0; i < MoveFeatures::LANES; ++i) candidates.ys[i] = speed[i] * static_cast<float>(moves.y[i]);
   if (walking) {
@@ -48,8 +53,8 @@ void findCandidates(const MoveBlock& __restrict moves, float min_fraction, float
   }
 }
 
-void begin(const AgentPerception& self, const MoveBlock& moves, std::size_t count, double min_fraction,
-           MoveFeatures& features, Course& candidate) {
+void begin(const AgentPerception& self, const MoveBlock& moves, std::size_t count,
+           const CollisionPrediction& prediction, MoveFeatures& features, Course& candidate) {
   const double distance = self.goal.norm();
   const double speed_per_metre = distance > 0.0 ? self.max_speed / distance : 0.0;
   candidate.preferred = speed_per_metre * self.goal;
@@ -57,8 +62,8 @@ void begin(const AgentPerception& self, const MoveBlock& moves, std::size_t coun
   candidate.time_to_goal = static_cast<float>(distance / self.max_speed);
   candidate.candidates.count = count;
   candidate.candidates.clear();
-  findCandidates(moves, static_cast<float>(min_fraction), candidate.max_speed, self.velocity != Vector2::Zero(),
-                 features, candidate.candidates);
+  findCandidates(moves, prediction, candidate.max_speed, self.velocity != Vector2::Zero(), features,
+                 candidate.candidates);
 }
 
 /// Converts inverse times to times; collisions after the arrival at the goal do not count.
@@ -85,14 +90,15 @@ void finish(const Course& candidate, MoveFeatures& features) {
 }  // namespace
 
 void computeMoveFeatures(const PerceptionBatch& batch, const MoveBlock* moves, std::size_t stride, std::size_t count,
-                         double min_fraction, double personal_space, MoveFeatures* features) {
+                         const CollisionPrediction& prediction, MoveFeatures* features) {
   std::array<Course, MAX_BATCH> candidates;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   const std::size_t size = batch.size();
   for (std::size_t k = 0; k < size; ++k) {
-    begin(batch[k].self, moves[k * stride], count, min_fraction, features[k], candidates[k]);
+    begin(batch[k].self, moves[k * stride], count, prediction, features[k], candidates[k]);
   }
   for (std::size_t k = 0; k < size; ++k) {
-    accumulateTimeToCollision(batch[k], candidates[k].preferred, personal_space, candidates[k].candidates);
+    accumulateTimeToCollision(batch[k], candidates[k].preferred, prediction.personal_space,
+                              candidates[k].candidates);
   }
   for (std::size_t k = 0; k < size; ++k) finish(candidates[k], features[k]);
 }

@@ -5,6 +5,7 @@
 
 #include "avoidance/candidate_move.h"
 #include "avoidance/perception_batch.h"
+#include "common/text/enum_names.h"
 
 namespace crowd {
 
@@ -25,13 +26,26 @@ struct MoveFeatures {
   MoveFeatures() = default;
 };
 
+/// @brief At which speed of a move collisions are predicted.
+enum class CandidateSpeeds {
+  WANTED,      ///< that of the move
+  ADMISSIBLE,  ///< the part of it that the time gap and the separation rule admit
+};
+
+inline constexpr EnumNames<CandidateSpeeds, 2> CANDIDATE_SPEEDS{"candidate_speeds", {"wanted", "admissible"}};
+
+/// @brief How the collisions of moves are predicted.
+struct CollisionPrediction {
+  CandidateSpeeds speeds = CandidateSpeeds::WANTED;
+  double min_fraction = 0.0;    ///< wanted speeds: a move with a smaller admissible fraction has the times of staying
+  double personal_space = 0.0;  ///< see accumulateTimeToCollision() [m]
+};
+
 /// @brief Computes the features of one block of moves of each of several agents.
 /// @param moves the block of the first agent; that of the next agent is `stride` blocks further
 /// @param count number of moves of the block, 1 to LANES; the features of the other lanes are undefined
-/// @param min_fraction a move with a smaller admissible fraction has the times to collision of staying
-/// @param personal_space see accumulateTimeToCollision() [m]
 /// @param features output, one per agent
 void computeMoveFeatures(const PerceptionBatch& batch, const MoveBlock* moves, std::size_t stride, std::size_t count,
-                         double min_fraction, double personal_space, MoveFeatures* features);
+                         const CollisionPrediction& prediction, MoveFeatures* features);
 
 }  // namespace crowd
