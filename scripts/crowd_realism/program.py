@@ -13,7 +13,7 @@ from crowd_experiments.arguments import above_zero, add_file, add_tools, parser_
 from crowd_experiments.records import read_table_header
 from crowd_experiments.tools import find_table, find_tools
 from crowd_recordings.formats import read_recording
-from crowd_tables.body import without_gait
+from crowd_tables.gait import without_gait
 
 from . import peers
 from .crowds import Crowd, walk_all

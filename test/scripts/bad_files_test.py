@@ -33,7 +33,6 @@ PROGRAMS = {
     'sweep': ('crowd_sweep.plan', ['FILE', '--dry-run'], SWEEP),
     'draw_q_table': ('crowd_tables.program', ['FILE', '--output', 'a.png'], read_text(NEAREST_TABLE)),
     'pedsim_import': ('crowd_import.program', ['FILE', '--output', 'a.yaml'], SCENE),
-    'flows': ('crowd_flows.program', ['body', 'FILE', 'a.txt', 'time_gap: 1'], read_text(NEAREST_TABLE)),
 }
 CONTENTS = {
     'empty': lambda _: b'',

@@ -1,13 +1,14 @@
-"""research/flows: measures of walks made by hand, bands, tables with a time gap, and a run of evaluate."""
+"""research/flows: measures of walks made by hand, bands, the table `human`, and runs of evaluate."""
 import dataclasses
 import pathlib
+import re
 
 import numpy
 import pytest
 import yaml
 from crowd_flows import door_flow, fundamental_diagram, fundamental_diagram as corridors, measurements
 from crowd_flows.measurements import evaluate, read_tracks
-from crowd_flows.program import main, with_body
+from crowd_tables.gait import without_gait
 from programs import ANTICIPATION_TABLE, in_package, tools_folder
 
 ANTICIPATION = pathlib.Path(ANTICIPATION_TABLE)
@@ -82,29 +83,31 @@ class DoorFlowTest:
         assert door_flow.flow_of(numpy.full((TICKS, 4, 2), -1.0)) == (0.0, 0)
 
 
-BODY = ('time_gap: 0.8, time_gap_width: 0.8, motion: {acceleration: 3, braking: 3}, '
-        'gait: {sway: 5, wander: 12, pace: 0.14}')
-SPACE = 0.3
+class HumanTest:
+    """What the shipped table has learned."""
 
+    def test_the_page_names_its_body(self):
+        header = HUMAN.read_text(encoding='utf-8').split('\n---\n')[0]
+        page = pathlib.Path(in_package('docs', 'human.md')).read_text(encoding='utf-8')
+        for key in ('motion', 'gait'):
+            assert re.search(key + r': \{[^}]*\}', header)[0] in page
 
-class BodyTest:
-    """The shipped table, and copies of tables whose agents have other bodies."""
+    def test_people_without_company_walk_straight(self, tmp_path):
+        table, scenario = tmp_path / 'table.txt', tmp_path / 'alone.yaml'
+        table.write_bytes(without_gait(HUMAN.read_bytes()))
+        agent = '{position: [0, 0], goal: [12, 0], speed: 1.3, radius: 0.2}'
+        scenario.write_text(f'{{name: alone, duration: 20, goal_tolerance: 0.3, agents: [{agent}]}}', encoding='utf-8')
+        metrics = evaluate(pathlib.Path(tools_folder()) / 'evaluate', table, scenario, tmp_path)
+        assert float(metrics['success_pct']) == 100.0
+        assert float(metrics['turn_rad_per_m']) == pytest.approx(0.0, abs=0.01)
 
-    def test_human_has_the_values_of_anticipation(self, tmp_path):
-        main(['body', str(ANTICIPATION), str(tmp_path / 'copy.txt'), BODY, '--personal-space', str(SPACE)])
-        assert (tmp_path / 'copy.txt').read_bytes() == HUMAN.read_bytes()
-        assert with_body(HUMAN.read_bytes(), '') == ANTICIPATION.read_bytes()
-
-    def test_the_page_names_the_body(self):
-        assert BODY in pathlib.Path(in_package('docs', 'human.md')).read_text(encoding='utf-8')
-
-    def test_other_files_are_refused(self):
-        contents = ANTICIPATION.read_bytes()
-        for wrong in (b'', contents[:-1000], contents.replace(b'rows: 6144', b'rows: 6145')):
+    def test_tables_without_a_gait_are_refused(self):
+        contents = HUMAN.read_bytes()
+        for wrong in (b'', contents[:-1000], contents.replace(b'seed: 1', b'seed: 2')):
             with pytest.raises(ValueError, match='valid checksum'):
-                with_body(wrong, BODY)
-        with pytest.raises(ValueError, match='goal_relative'):
-            with_body(pathlib.Path(in_package('config', 'q_tables', 'thesis_nearest.txt')).read_bytes(), BODY)
+                without_gait(wrong)
+        with pytest.raises(ValueError, match='with a gait'):
+            without_gait(ANTICIPATION.read_bytes())
 
 
 def test_a_dense_human_crowd_is_slow_and_without_contacts(tmp_path):

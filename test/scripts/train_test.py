@@ -122,6 +122,15 @@ class ShippedTest:
                     '--output', table)
         assert read_text(table) == read_text(in_package('config', 'q_tables', f'thesis_{states}.txt'))
 
+    @pytest.mark.parametrize('table', ('anticipation', 'human'))
+    def test_the_others_have_the_models_of_their_configurations(self, runner, table):
+        trained = runner.path('table.txt')
+        runner.tool('train', in_package('config', 'learning', table + '.yaml'), '--output', trained, '--episodes', 1)
+        model = [read_text(file).split('\nepsilon: ')[0] for file in
+                 (trained, in_package('config', 'q_tables', table + '.txt'))]
+        assert 'state_set: {type: anticipation' in model[0] and 'alpha_decay' in model[0]
+        assert model[0] == model[1]
+
 
 class RefusalTest:
     """What is refused changes no file."""
