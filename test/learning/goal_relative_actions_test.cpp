@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/error_of.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
@@ -109,6 +111,21 @@ TEST(GoalRelativeActions, ActionsKeepTheMotionLimitsOfThePerception) {
   EXPECT_NEAR(1.3 * relativeAction(goal_relative, scene.perception(), 0).speed_fraction, 0.85, 1e-12);
   const Action stay = goal_relative.size() - 1;
   EXPECT_NEAR(1.3 * relativeAction(goal_relative, scene.perception(), stay).speed_fraction, 0.35, 1e-12);
+}
+
+TEST(GoalRelativeActions, AgentsWithMassSlowDownBesideTheirGoal) {
+  // Straight on at 1.5 m/s, the goal is 0.3 m to the left: the circle through it has a radius of 0.15 m, and at 3 m/s^2
+  // it can be walked at sqrt(3 * 0.15) m/s. In a tick of 0.1 s an agent brakes by 0.3 m/s.
+  const GoalRelativeActions actions;
+  const auto speed_of = [&](const Vector2& goal) {
+    const auto scene = PerceptionsBuilder().agent(0, goal).speed(1.5).walking({0.9, 0.0}).motion({3.0, 3.0, INFINITE});
+    const Perception seen = scene.perception();
+    std::vector<MoveBlock> ahead = toBlocks({CandidateMove{Vector2::UnitX(), 1.0, 1.0}});
+    return 1.5 * actions.relativeAction(seen, ahead.data(), 0).speed_fraction;
+  };
+  EXPECT_NEAR(speed_of({0.0, 0.3}), std::sqrt(3.0 * 0.15), 1e-9);
+  EXPECT_NEAR(speed_of({0.3, 0.0}), 1.2, 1e-9);   // straight ahead: it speeds up
+  EXPECT_NEAR(speed_of({0.0, 30.0}), 1.2, 1e-9);  // far away
 }
 
 }  // namespace

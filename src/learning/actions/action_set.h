@@ -40,7 +40,7 @@ class ActionSet {
   virtual RelativeAction relativeAction(const Perception& /*seen*/, const MoveBlock* moves, Action action) const {
     return toAction(moveAt(moves, action));
   }
-  /// @brief The same, without random deviations such as a gait: what agents do while they learn.
+  /// @brief The move itself, without what relativeAction() adds to it, such as a gait: what agents do while they learn.
   virtual RelativeAction exactAction(const Perception& seen, const MoveBlock* moves, Action action) const {
     return relativeAction(seen, moves, action);
   }

@@ -1,6 +1,7 @@
 #include "learning/actions/goal_relative_actions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/text/numbers.h"
 
@@ -25,6 +26,17 @@ void turn(const MoveBlock& base_moves, const Vector2& bearing, std::size_t turne
     moves.x[i] = cosine * base_moves.x[i] - sine * base_moves.y[i];
     moves.y[i] = sine * base_moves.x[i] + cosine * base_moves.y[i];
   }
+}
+
+/// A move of an agent with motion limits, so slow that from its velocity v the agent can still turn to the goal: at a
+/// distance d and an angle phi to the direction of the move, the circle of radius v^2 / acceleration that leads from
+/// the direction of the move through the goal has the radius d / (2 sin phi). Faster ones go round the goal for ever.
+CandidateMove reachingGoal(const CandidateMove& move, const Perception& seen) {
+  const double distance = seen.self.goal.norm();
+  const double aside = std::abs(cross(seen.self.goal, move.direction));  // distance * sin(phi)
+  if (aside <= 0.0) return move;
+  const double fastest = std::sqrt(0.5 * seen.motion.acceleration * distance * distance / aside);
+  return {move.direction, move.wanted, std::min(move.fraction, fastest / seen.self.max_speed)};
 }
 
 /// What becomes of a move by the gait of the agent.
@@ -86,11 +98,12 @@ void GoalRelativeActions::keepTimeGap(const PerceptionBatch& batch, MoveBlock* m
 
 RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const MoveBlock* moves,
                                                    Action action) const {
-  const bool may_deviate = parameters_.gait.isOn() && seen.motion.areOn() && !seen.self.held;
-  // An escape from a moving obstacle leaves no space for deviations.
-  if (!may_deviate || rule_.mustEscape(seen)) return exactAction(seen, moves, action);
-  const CandidateMove deviated = deviate(moveAt(moves, action), parameters_.gait, seen);
-  return rule_.isFree(seen, deviated) ? rule_.actionTowards(seen, deviated) : exactAction(seen, moves, action);
+  // An escape from a moving obstacle is carried out as it is.
+  if (!seen.motion.areOn() || seen.self.held || rule_.mustEscape(seen)) return exactAction(seen, moves, action);
+  const CandidateMove move = reachingGoal(moveAt(moves, action), seen);
+  if (!parameters_.gait.isOn()) return rule_.actionTowards(seen, move);
+  const CandidateMove deviated = deviate(move, parameters_.gait, seen);
+  return rule_.actionTowards(seen, rule_.isFree(seen, deviated) ? deviated : move);
 }
 
 RelativeAction GoalRelativeActions::exactAction(const Perception& seen, const MoveBlock* moves, Action action) const {
