@@ -97,8 +97,7 @@ void computeMoveFeatures(const PerceptionBatch& batch, const MoveBlock* moves, s
     begin(batch[k].self, moves[k * stride], count, prediction, features[k], candidates[k]);
   }
   for (std::size_t k = 0; k < size; ++k) {
-    accumulateTimeToCollision(batch[k], candidates[k].preferred, prediction.personal_space,
-                              candidates[k].candidates);
+    accumulateTimeToCollision(batch[k], candidates[k].preferred, prediction.personal_space, candidates[k].candidates);
   }
   for (std::size_t k = 0; k < size; ++k) finish(candidates[k], features[k]);
 }
