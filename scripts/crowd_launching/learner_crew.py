@@ -6,6 +6,7 @@ import time
 import rospy
 from social_crowd.msg import Scenario
 
+from .init_node import init_node
 from .nodes import NodeError, ending_of, start_node, stop_nodes
 
 
@@ -44,6 +45,8 @@ class LearnerCrew:
         try:
             while not rospy.is_shutdown():
                 for agent in range(self.wanted):
+                    if rospy.is_shutdown():
+                        return
                     if agent not in self.learners and (not self.agents or agent in self.agents):
                         self.start_learner(agent)
                 self.check()
@@ -53,12 +56,7 @@ class LearnerCrew:
 
 
 def main():
-    try:
-        rospy.init_node('learner_crew')
-    except rospy.ROSInitException:
-        if rospy.is_shutdown():  # interrupted during initialisation
-            return
-        raise
+    init_node('learner_crew')
     learners = rospy.get_param('~learners', 'per_agent')
     if learners != 'per_agent':
         sys.exit("learner_crew: ~learners: expected one, per_agent or none, got '%s'" % learners)

@@ -2,11 +2,12 @@
 import os
 import signal
 import subprocess
+import time
 
 import roslib.packages
 import rospy
 
-PATIENCE = 5.0  # [s] time for a node to write its files and end
+PATIENCE = 10.0  # [s] time for nodes to write their files and end; roslaunch kills this process after 15 s
 
 
 class NodeError(Exception):
@@ -36,9 +37,10 @@ def stop_nodes(processes, number=signal.SIGINT):
     for process in processes:
         if process.poll() is None:
             os.killpg(process.pid, number)
+    end = time.monotonic() + PATIENCE
     for process in processes:
         try:
-            process.wait(PATIENCE)
+            process.wait(max(0.0, end - time.monotonic()))
         except subprocess.TimeoutExpired:
             process.kill()
 

@@ -16,6 +16,7 @@ from geometry_msgs.msg import PoseWithCovarianceStamped
 from social_crowd.msg import RobotStates, Scenario
 from std_msgs.msg import String
 
+from .init_node import init_node
 from .nodes import ending_of, stop_nodes
 
 RUNNING, CRASHED = 'running', 'crashed'
@@ -133,7 +134,8 @@ class RobotCrew:
             while self.scenario is None and not rospy.is_shutdown():
                 time.sleep(PERIOD)
             for robot in self.scenario.robots if self.scenario else []:
-                self.start(robot)
+                if not rospy.is_shutdown():
+                    self.start(robot)
             while not rospy.is_shutdown():
                 time.sleep(PERIOD)
                 if not rospy.is_shutdown():
@@ -144,7 +146,7 @@ class RobotCrew:
 
 
 def main():
-    rospy.init_node('robot_crew')
+    init_node('robot_crew')
     try:
         RobotCrew().run()
     except rospy.ROSInterruptException:

@@ -74,7 +74,7 @@ struct RobotContact {
 struct Robot {
   RobotStart start;
   Pose pose;                           ///< in `map`
-  Twist target;                        ///< last command
+  Twist target;                        ///< command of the last tick
   Twist twist;                         ///< at the end of the last tick; zero if it was stopped by an impact
   Vector2 velocity = Vector2::Zero();  ///< at the end of the last tick, `map` [m/s]
   double perceived_radius = 0.0;       ///< of the disc that agents perceive [m]

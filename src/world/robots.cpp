@@ -53,6 +53,7 @@ RobotId Robots::add(const RobotStart& start) {
   robot.pose = {start.position, wrapAngle(start.heading)};
   robot.goals = start.goals;
   robot.perceived_radius = start.footprint.reach() + deviation(start.limits, tick_duration_);
+  commands_.emplace_back();
   places_.emplace_back();
   contacts_.emplace_back();
   return static_cast<RobotId>(robots_.size() - 1);
@@ -61,6 +62,7 @@ RobotId Robots::add(const RobotStart& start) {
 void Robots::remove(RobotId id) {
   require(id);
   robots_.erase(robots_.begin() + id);
+  commands_.erase(commands_.begin() + id);
   places_.erase(places_.begin() + id);
   contacts_.erase(contacts_.begin() + id);
 }
@@ -83,7 +85,7 @@ Robot& Robots::find(RobotId id) {
 }
 
 void Robots::command(RobotId id, const Twist& wanted) {
-  Robot& robot = find(id);
+  const Robot& robot = require(id);
   const std::string name = "robot " + inQuotes(robot.start.name);
   if (robot.start.drive == Drive::EXTERNAL) throw InputError(name + " is external: it takes no commands");
   if (!wanted.isFinite()) {
@@ -91,7 +93,7 @@ void Robots::command(RobotId id, const Twist& wanted) {
                      toText(std::vector<double>{wanted.linear.x(), wanted.linear.y()}) + ", rotation " +
                      toText(wanted.rotation));
   }
-  robot.target = wanted;
+  commands_[id] = wanted;
 }
 
 void Robots::place(RobotId id, const Pose& pose, const Vector2& velocity, bool jump) {
@@ -146,6 +148,7 @@ void Robots::beginMoves(const std::vector<Agent>& agents, const std::vector<Neig
   sweeps_.clear();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
+    robot.target = commands_[i];
     robot.blocked = false;
     robot.jumped = std::exchange(robot.teleported, false);
     const Footprint& footprint = robot.start.footprint;

@@ -41,7 +41,8 @@ class Robots {
   bool empty() const { return robots_.empty(); }
   const Robot& operator[](RobotId id) const { return robots_[id]; }
 
-  /// @brief Sets what a robot is to do from the next tick on, until the next call; it follows within its limits.
+  /// @brief Sets what a robot is to do from the next tick on, until the next call; it follows within its limits. Nobody
+  /// perceives the command before that tick: it does not matter whether people perceive before or after the call.
   /// @throws InputError if there is no such robot, it is EXTERNAL, or a number is not finite.
   void command(RobotId id, const Twist& wanted);
   /// @brief Sets where an EXTERNAL robot is at the end of the coming tick; it stays there until the next call. The
@@ -108,6 +109,7 @@ class Robots {
   Contact contact_;
   std::vector<Robot> robots_;
   // By robot:
+  std::vector<Twist> commands_;                      // what it is to do next
   std::vector<std::optional<Place>> places_;         // where an EXTERNAL one is to be next
   std::vector<RobotSweep> sweeps_;                   // its intended motion in this tick
   std::vector<std::vector<RobotContact>> contacts_;  // those of the present tick so far

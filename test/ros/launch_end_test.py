@@ -19,6 +19,20 @@ trap exit INT TERM  # otherwise bash continues if the sleep has just ended
 touch "$0.open"
 until [[ -e $0.close ]]; do sleep 0.05; done
 """
+# A node that holds a lock when it is interrupted. Its shutdown needs this lock.
+HOLDING = """
+import threading, time
+import rospy
+from crowd_launching.init_node import init_node
+
+init_node('holding')
+lock = threading.Lock()
+rospy.on_shutdown(lock.acquire)
+with lock:
+    print('holds the lock', flush=True)
+    while not rospy.core.is_shutdown_requested():
+        time.sleep(0.01)
+"""
 INCLUDING = """
 <launch>
   <include file="$(find social_crowd)/launch/{}">{}</include>
@@ -52,6 +66,12 @@ class EndTest(LaunchTestCase):
         self.start_learner()
         controller = self.start_controller(support.CIRCLE6, episodes=1, ends_launch=True)
         self.assertEqual(controller.wait(), 0, controller.output())
+
+    def test_interrupt_of_a_node_that_holds_a_lock(self):
+        node = self.start('holding', ['/usr/bin/python3', '-c', HOLDING],
+                          {'PYTHONPATH': f'{support.in_package("scripts")}:{os.environ["PYTHONPATH"]}'})
+        support.wait_for(lambda: 'holds the lock' in node.output(), 'the lock')
+        self.assertEqual(node.stop(), 0, node.output())
 
 
 class RvizTest(LaunchTestCase):

@@ -15,7 +15,7 @@ class LaunchTestCase(support.CrowdTestCase):
         if file == 'replay.launch':
             del defaults['answer_deadline']
         words = [f'{name}:={value}' for name, value in dict(defaults, **arguments).items()]
-        return self.start('roslaunch', ['roslaunch', 'social_crowd', file, *words], environment)
+        return self.start('roslaunch', ['roslaunch', 'social_crowd', file, *words], environment, support.Launch)
 
     def demo(self, **arguments):
         """Starts demo.launch for a few episodes, as fast as possible."""

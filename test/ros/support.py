@@ -18,8 +18,8 @@ from std_srvs.srv import SetBool, Trigger
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, 'support'))
 from programs import (ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE,  # noqa: E402, F401
-                      ProgramRunner, assert_same_recording, assert_says, data, in_package, page_examples, read_bytes,
-                      read_text, recording_of, wait_for)
+                      Launch, ProgramRunner, assert_same_recording, assert_says, data, in_package, page_examples,
+                      read_bytes, read_text, recording_of, wait_for)
 
 TICK = 0.1  # [s], default of scenarios
 SERVICES = {

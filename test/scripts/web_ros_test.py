@@ -8,7 +8,7 @@ import subprocess
 import pytest
 from crowd_launching.program import free_port
 from node_packages import install_clients
-from programs import PATIENCE, in_package, wait_for
+from programs import PATIENCE, Launch, in_package, wait_for
 from ros_crowds import Ros, environment_of
 from web_clients import BAD_COMMANDS, Page, memory_of, run, start_server, wait_for_url
 from web_nonsense import send_nonsense
@@ -144,7 +144,7 @@ class LaunchTest:
         port = free_port()
         server = wait_for_url(runner.start('roslaunch', [
             'roslaunch', '-p', str(port), 'social_crowd', 'web.launch', 'scenario:=circle12', 'port:=0'],
-            environment_of(runner, port)))
+            environment_of(runner, port), Launch))
 
         async def test():
             async with Page(server) as page:

@@ -156,6 +156,23 @@ class Process:
         return f'{self.name} ended with exit status {status} after SIGINT' if was_running and status != 0 else ''
 
 
+class Launch(Process):
+    """A roslaunch, which ends with an error if it is interrupted while it starts nodes."""
+
+    NODE = re.compile(r'^    \S+ \(\w+/\S+\)$', re.MULTILINE)  # in the list that it prints first
+    STARTED = re.compile(r'^process\[.*started with pid', re.MULTILINE)
+
+    def has_started(self):
+        """Returns whether all nodes were started."""
+        nodes, started = (len(line.findall(self.output())) for line in (self.NODE, self.STARTED))
+        return 0 < nodes <= started
+
+    def stop(self):
+        """Interrupts it after it has started its nodes. Returns its exit status."""
+        wait_for(lambda: not self.is_running() or self.has_started(), 'the start of all nodes')
+        return super().stop()
+
+
 class Folder:
     """A folder of a test, with files."""
 
@@ -181,10 +198,10 @@ class ProgramRunner(Folder):
         self.environment = environment or {}  # additional variables for all programs
         self.processes = []
 
-    def start(self, name, command, environment=None):
-        """Starts a program. Returns its Process."""
+    def start(self, name, command, environment=None, kind=Process):
+        """Starts a program. Returns its Process, of a class for its kind of program."""
         log = self.path(f'{len(self.processes)}_{name}.log')
-        process = Process(name, command, log, dict(self.environment, **(environment or {})))
+        process = kind(name, command, log, dict(self.environment, **(environment or {})))
         self.processes.append(process)
         return process
 

@@ -17,7 +17,9 @@ void expectVector(const Vector2& got, double x, double y) {
 TEST(RobotIntent, ARobotThatWaitsOnItsWayWantsToGoAhead) {
   World world(with({robotTo({0.0, 5.0}, {0.0, 0.0})}, scene({})));
   expectVector(world.robots()[0].wantedVelocity(), 0.0, 0.3);
-  world.robots().command(0, {{-0.05, 0.0}, 0.0});  // back
+  world.robots().command(0, {{-0.05, 0.0}, 0.0});              // back
+  expectVector(world.robots()[0].wantedVelocity(), 0.0, 0.3);  // nobody knows it before it moves
+  world.step({});
   expectVector(world.robots()[0].wantedVelocity(), 0.0, -0.3);
   world.robots().command(0, {{0.5, 0.0}, 0.0});
   world.step({});
