@@ -110,6 +110,13 @@ Metrics evaluateFile(Communicator& ranks, const TrainedTable& trained, const Arg
   return metrics;
 }
 
+bool hasRobots(const ScenarioList& scenarios) {
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    if (!scenarios[i].robots.empty()) return true;
+  }
+  return false;
+}
+
 /// What the arguments name.
 struct Inputs {
   TrainedTable trained;
@@ -136,8 +143,12 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
   doOnAllRanks(ranks, [&] { inputs = readInputs(arguments); });
   if (ranks.size() > 1) requireSameRun(ranks, inputs->trained, arguments.scenarios, arguments.plan);
   const bool writes = ranks.rank() == 0;
-  for (const ScenarioList& scenarios : inputs->scenarios) {
-    if (writes) printReadingWarnings("evaluate", scenarios.warnings());
+  for (std::size_t i = 0; writes && i < inputs->scenarios.size(); ++i) {
+    const ScenarioList& scenarios = inputs->scenarios[i];
+    printReadingWarnings("evaluate", scenarios.warnings());
+    if (arguments.plan.robot_controller != "none" && !hasRobots(scenarios)) {
+      std::cerr << "evaluate: warning: " << arguments.scenarios[i] << " has no robot for --robot\n";
+    }
   }
   doOnAllRanks(ranks, [&] {
     if (writes) output.open(arguments.output);
@@ -158,14 +169,18 @@ int evaluateAll(Communicator& ranks, Arguments& arguments) {
   return is_stopped ? EXIT_INTERRUPTED : EXIT_FINE;
 }
 
-/// Does not return, unless by an exception.
-int showOne(const CLI::App& app, const Arguments& arguments) {
+/// Checks the arguments of --web. @throws CLI::ValidationError
+void checkWebArguments(const CLI::App& app, const Arguments& arguments) {
   const std::set<std::string> used{"--web", "--web-port", "--q-table", "--seed", "--threads", "SCENARIO"};
   for (const CLI::Option* const option : app.get_options()) {
     if (option->count() == 0 || used.count(option->get_name()) > 0) continue;
-    throw InputError(option->get_name() + ": is not used with --web");
+    throw CLI::ValidationError(option->get_name(), "is not used with --web");
   }
-  if (arguments.scenarios.size() != 1) throw InputError("--web: expected one SCENARIO");
+  if (arguments.scenarios.size() != 1) throw CLI::ValidationError("--web", "expected one SCENARIO");
+}
+
+/// Does not return, unless by an exception.
+int showOne(const Arguments& arguments) {
   showInBrowser(findScenario(arguments.scenarios[0]), findQTable(arguments.q_table), arguments.plan.seed,
                 arguments.plan.threads, arguments.web_port);
 }
@@ -254,9 +269,12 @@ int runMain(int argc, char** argv) {
       "Ctrl-C or SIGTERM end the run within a second: episodes that are not finished are left out of the results and "
       "files.\n"
       "Exit status: 0 success, 1 error in the input, 2 wrong usage, 130 interrupted.");
+  app.final_callback([&] {
+    if (web->count() > 0) checkWebArguments(app, arguments);
+  });
   return runTool(app, argc, argv, [&](Communicator& ranks) {
     if (ranks.size() > 1 && threads->count() == 0) arguments.plan.threads = 1;
-    if (web->count() > 0) return showOne(app, arguments);
+    if (web->count() > 0) return showOne(arguments);
     return evaluateAll(ranks, arguments);
   });
 }

@@ -77,6 +77,14 @@ class HeadersTest(BroadcastTestCase):
         walls = [(wall.from_.x, wall.from_.y, wall.to.x, wall.to.y) for wall in scenario.walls]
         self.assertEqual(walls, [(2, -1, 4, -1)])
 
+    def test_people_who_walk_together_have_the_same_group(self):
+        person = '  - {{position: [{0}, 0], goal: [{0}, 9], speed: 1, radius: 0.2}}\n'
+        text = 'name: groups\nduration: 1\ngoal_tolerance: 0.2\ngroups: [{members: [1, 3]}]\nagents:\n'
+        file = self.write('groups.yaml', text + ''.join(map(person.format, range(4))))
+        self.start_controller(file)
+        scenario = self.listen('scenario', Scenario).wait()
+        self.assertEqual([agent.group for agent in scenario.agents], [0, 2, 0, 2])
+
     def test_result_agrees_with_the_recording(self):
         self.start_all(table=support.ANTICIPATION_TABLE, trajectories=self.path('ros'))
         self.walk_an_episode()

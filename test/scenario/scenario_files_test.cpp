@@ -67,6 +67,19 @@ TEST(ScenarioFiles, FindsNamesInAnotherFolder) {
                 " none of that name; there is mine");
 }
 
+TEST(ScenarioFiles, ErrorProposesAFileOfTheBaseFolder) {
+  const TemporaryFolder named;
+  named.write("mine.yaml", "");
+  const TemporaryFolder base;
+  base.write("my_hall.yaml", "");
+  const auto proposal = [&](const std::string& name) {
+    return errorOf<InputError>([&] { findScenario(name, base.path(), named.path()); });
+  };
+  EXPECT_NE(proposal("my_hal.yaml").find("did you mean 'my_hall.yaml'?"), std::string::npos);
+  EXPECT_NE(proposal("my_hal").find("did you mean 'my_hall.yaml'?"), std::string::npos);
+  EXPECT_NE(proposal("mien").find("did you mean 'mine'?"), std::string::npos);
+}
+
 TEST(ScenarioFiles, ErrorNamesSearchedPlacesAndAlternatives) {
   const TemporaryFolder folder;
   const std::string bare = errorOf<InputError>([&] { findScenario("circel12"); });

@@ -298,11 +298,7 @@ class StartTest:
     """How it is started."""
 
     def test_evaluate(self, runner):
-        folder = os.path.join(runner.folder, 'none')
         evaluate = os.path.join(tools_folder(), 'evaluate')
-        refused = subprocess.run([evaluate, '--q-table', 'anticipation', '--web', '--csv', folder, 'circle6'],
-                                 stderr=subprocess.PIPE, timeout=PATIENCE, check=False)
-        assert refused.returncode == 1 and b'--csv: is not used with --web' in refused.stderr
         if not os.path.exists(in_package('web', 'dist', 'index.html')):
             pytest.skip('there is no page')
         server = wait_for_url(runner.start('evaluate', [

@@ -7,6 +7,7 @@
 
 #include "learning/model.h"
 #include "ros/markers/marker_drawings.h"
+#include "ros/markers/marker_groups.h"
 #include "ros/markers/marker_map.h"
 #include "ros/messages/conversions.h"
 
@@ -247,14 +248,10 @@ void MarkerScene::drawValues(visualization_msgs::MarkerArray& array) {
 visualization_msgs::MarkerArray MarkerScene::draw(bool whole) {
   visualization_msgs::MarkerArray array;
   const bool figures = showsFigures();
-  array.markers = {drawBodies(*states_, figures),
-                   drawContacts(*states_),
-                   drawHeadings(*states_, figures),
-                   drawGoals(*states_),
-                   drawWalls(walls_),
-                   drawObstacles(*states_),
-                   drawRadii(),
-                   drawOccupiedSectors()};
+  array.markers = {
+      drawBodies(*states_, figures), drawContacts(*states_), drawHeadings(*states_, figures), drawGoals(*states_),
+      drawGroups(*states_),          drawWalls(walls_),      drawObstacles(*states_),         drawRadii(),
+      drawOccupiedSectors()};
   if (whole || map_changed_) array.markers.push_back(map_);
   drawValues(array);
   figures_.draw(*states_, figures, whole, array);

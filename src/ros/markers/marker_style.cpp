@@ -146,6 +146,7 @@ Colour ofValue(double share) {
 Colour ofChosenMove(bool exploration) { return exploration ? make(0.85, 0.15, 0.6) : make(0.05, 0.05, 0.05); }
 Colour ofVisits() { return make(0.1, 0.1, 0.12); }
 Colour ofContact() { return make(0.9, 0.0, 0.05); }
+Colour ofGroup() { return make(0.45, 0.5, 0.6); }
 Colour ofRobot() { return make(0.2, 0.14, 0.42); }
 Colour ofHeading() { return make(1.0, 1.0, 1.0); }
 Colour ofObstacle() { return make(0.42, 0.44, 0.47); }

@@ -29,6 +29,7 @@ constexpr const char* FIGURES = "figures";
 constexpr const char* RECORDED = "recorded";
 constexpr const char* RECORDED_FIGURES = "recorded_figures";
 constexpr const char* BELONGINGS = "belongings";
+constexpr const char* GROUPS = "groups";
 
 /// @brief Drawing order, lowest first.
 enum class Layer {
@@ -38,6 +39,7 @@ enum class Layer {
   WALLS,
   PATHS,
   GOALS,
+  GROUPS,
   RADII,
   VALUES,
   CHOSEN_MOVE,
@@ -50,6 +52,7 @@ constexpr double LAYER_HEIGHT = 0.02;  ///< distance between two layers [m]; RVi
 // Sizes [m].
 constexpr double PATH_WIDTH = 0.035;
 constexpr double WALL_WIDTH = 0.06;
+constexpr double GROUP_WIDTH = 0.05;
 constexpr double RADIUS_WIDTH = 0.02;
 constexpr double CONTACT_WIDTH = 0.06;
 constexpr double CHOSEN_WIDTH = 0.025;
@@ -102,6 +105,8 @@ Colour ofChosenMove(bool exploration);
 Colour ofVisits();
 Colour ofContact();
 Colour ofRobot();
+/// @brief Colour of the lines between people who walk together.
+Colour ofGroup();
 Colour ofHeading();
 Colour ofObstacle();
 /// @brief Colour of recorded people: nearly black.

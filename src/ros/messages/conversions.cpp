@@ -22,6 +22,7 @@ void toMessage(const Agent& agent, social_crowd::AgentState& message) {
   message.max_speed = agent.max_speed;
   message.radius = agent.radius;
   message.figure = static_cast<std::uint8_t>(agent.figure);
+  message.group = agent.group + 1;  // 0 for NO_GROUP
   message.goal = toPoint(agent.goal());
   message.status = static_cast<std::uint8_t>(agent.status);
   message.in_contact = agent.in_contact ? 1 : 0;

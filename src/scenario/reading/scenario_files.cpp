@@ -74,8 +74,11 @@ std::string asGiven(const std::string& name, const fs::path& path, bool is_bare)
   const fs::path searched = fs::absolute(file).lexically_normal().parent_path();
   std::vector<std::string> names =
       sortedByNearness(path.stem().string(), is_bare ? scenarioNames(folder.string()) : scenariosIn(searched));
-  const std::string nearest = nearestName(path.stem().string(), names);
-  const std::string hint = nearest.empty() ? "" : ", did you mean '" + asGiven(nearest, path, is_bare) + "'?";
+  std::string nearest = nearestName(path.stem().string(), names);
+  if (!nearest.empty()) nearest = asGiven(nearest, path, is_bare);
+  const std::string beside = is_bare ? nearestName(path.stem().string(), scenariosIn(searched)) : "";
+  if (!beside.empty() && (nearest.empty() || path.has_extension())) nearest = beside + SCENARIO_EXTENSION;
+  const std::string hint = nearest.empty() ? "" : ", did you mean '" + nearest + "'?";
   for (std::string& name : names) name = asGiven(name, path, is_bare);
   std::string text = "no scenario " + inQuotes(path.string()) + (hint.empty() ? ": there" : hint + " There");
   text += " is no file " + fs::absolute(file).lexically_normal().string();
