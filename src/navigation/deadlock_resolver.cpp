@@ -74,6 +74,7 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
   }
   walk.retreat_until = 0.0;
   walk.course = directionOf(path, agent);
+  noteAdvance(agent, time, walk);
   if (isStuck(walk, time)) walk.remaining = lengthOf({path.data(), path.size()}, place);
   if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
   walk.trail.push_back(place);
@@ -82,19 +83,29 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
 
 void DeadlockResolver::noteProgress(const Agent& agent, double time, Walk& walk) {
   const Vector2& place = agent.pose.position;
-  if (agent.yielding || agent.isHeld() || agent.at_goal || walk.trail.empty() ||
-      (place - walk.reference).norm() > PROGRESS) {
+  if (agent.yielding || agent.isHeld() || agent.at_goal || !walk.reference ||
+      (place - *walk.reference).norm() > PROGRESS) {
     walk.reference = place;
     walk.progress_time = time;
     walk.cannot_walk_back = false;
   }
 }
 
+/// An agent that is pushed to and fro makes progress, but does not advance.
+void DeadlockResolver::noteAdvance(const Agent& agent, double time, Walk& walk) {
+  const Vector2& place = agent.pose.position;
+  const double advance = walk.advance_reference ? (place - *walk.advance_reference).dot(walk.course) : 0.0;
+  const bool has_advanced =
+      advance > PROGRESS || agent.yielding || agent.isHeld() || agent.at_goal || !walk.advance_reference;
+  if (has_advanced) walk.advance_time = time;
+  if (has_advanced || advance < 0.0) walk.advance_reference = place;
+}
+
 void DeadlockResolver::startRetreat(const Agent& agent, double time) {
   Walk& walk = walks_[agent.id];
   walk.retreat_from = agent.pose.position;
   walk.retreat_until = time + RETREAT_TIME;
-  walk.progress_time = walk.retreat_until + WALK_TIME - STUCK_TIME;
+  walk.progress_time = walk.advance_time = walk.retreat_until + WALK_TIME - STUCK_TIME;
   walk.course = -walk.course;  // the agents that it meets head-on do not give way, too
   retreating_.push_back(agent.id);
 }
@@ -134,14 +145,14 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
   return std::any_of(retreating_.begin(), retreating_.end(), has_priority);
 }
 
-/// Whether an agent that waits is in the way of one that is stuck.
+/// Whether an agent that waits is in the way of one that does not advance.
 bool DeadlockResolver::blocksOthers(const World& world, const Agent& agent) {
   const Span<Walker> near = walkersNear(world, agent, WAITER_REACH);
   return std::any_of(near.begin(), near.end(), [&](const Walker& walker) {
     const Agent& other = world.agents()[walker.agent];
     const Walk& its = walks_[other.id];
-    const bool is_stuck = !other.yielding && !other.isHeld() && !walksBack(its) && isStuck(its, world.time());
-    if (other.id == agent.id || !is_stuck) return false;
+    const bool is_held_up = world.time() - its.advance_time >= STUCK_TIME;
+    if (other.id == agent.id || other.yielding || other.isHeld() || walksBack(its) || !is_held_up) return false;
     const Vector2 offset = agent.pose.position - other.pose.position;
     const double gap = offset.norm() - agent.radius - other.radius;
     const Vector2 way = (other.perceivedGoal() - other.pose.position).normalized();
@@ -222,13 +233,10 @@ void DeadlockResolver::retreat(World& world, const Agent& agent) {
   Walk& walk = walks_[agent.id];
   std::deque<Vector2>& trail = walk.trail;
   const Vector2& place = agent.pose.position;
-  bool is_on_trail = !walk.leaves_trail;
-  if (is_on_trail) {
-    while (trail.size() > 1 && (trail.back() - place).norm() < BACK) trail.pop_back();
-    const Vector2 back = trail.back() - place;
-    is_on_trail = back.norm() >= BACK;  // beyond the begin of its trail, it goes on in the same direction
-    if (is_on_trail) walk.course = back.normalized();
-  }
+  while (!trail.empty() && (trail.back() - place).norm() < BACK) trail.pop_back();
+  // Beyond the begin of its trail, it goes on in the same direction.
+  const bool is_on_trail = !walk.leaves_trail && !trail.empty();
+  if (is_on_trail) walk.course = (trail.back() - place).normalized();
   std::vector<Vector2> contacts;
   addAgentContacts(world, agent, contacts);
   addWallContacts(world, agent, contacts);

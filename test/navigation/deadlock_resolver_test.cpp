@@ -86,6 +86,17 @@ TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatItBlocks) {
   EXPECT_TRUE(crowd.givesWay(0));  // makes room for agent 1, which walks back
 }
 
+/// Agent 1 waits in front of agent 0, which walks to and fro across its way, 0.7 m wide.
+TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatOnlyWalksToAndFro) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({0.45, 0.0}, {9.0, 0.0})});
+  for (int tick = 0; !crowd.givesWay(1) && crowd.world.time() < 60.0; ++tick) {
+    WorldEditor(crowd.world).teleport(0, {{0.0, tick % 2 == 0 ? 0.35 : -0.35}, 0.0});
+    crowd.world.walkingAgent(1).yielding = true;
+    crowd.stand();
+  }
+  EXPECT_TRUE(crowd.givesWay(1));
+}
+
 /// Agent 1 waits beside agent 0, 0.1 m behind.
 TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatItTouches) {
   Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({-0.1, 0.39}, {9.0, 0.39})});
@@ -124,6 +135,24 @@ TEST(DeadlockResolver, WithoutATrailAnAgentWalksBackAgainstItsDirection) {
   } while (!crowd.deadlocks.walksBack(1) && crowd.world.time() < 60.0);
   ASSERT_TRUE(crowd.deadlocks.walksBack(1));
   EXPECT_LT(crowd.world.agents()[1].perceivedGoal().x(), 0.45 - 0.9);
+}
+
+/// Agent 0 waits in the way of agent 1, and walks back farther each time, beyond the place where its trail begins.
+TEST(DeadlockResolver, BeyondItsTrailAnAgentGoesOnInTheSameDirection) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({0.45, 0.0}, {-9.0, 0.0})});
+  const auto x = [&] { return crowd.world.agents()[0].pose.position.x(); };
+  crowd.update();
+  while (x() > -4.0 && crowd.world.time() < 60.0) {
+    const double before = x();
+    if (crowd.deadlocks.walksBack(0)) {
+      crowd.step();
+    } else {
+      crowd.world.walkingAgent(0).yielding = true;
+      crowd.stand();
+    }
+    EXPECT_LE(x(), before) << crowd.world.time();
+  }
+  EXPECT_LE(x(), -4.0);
 }
 
 TEST(DeadlockResolver, OneOfTwoGivesWay) {
