@@ -9,7 +9,6 @@ from geometry_msgs.msg import PoseStamped
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 
 from .back_off import BackOff
-from .init_node import init_node
 
 PERIOD = 0.01  # [s] between two checks, wall clock
 
@@ -75,7 +74,7 @@ class GoalSender:
 
 
 def main():
-    init_node('goal_sender')
+    rospy.init_node('goal_sender')
     try:
         GoalSender().run()
     except rospy.ROSInterruptException:

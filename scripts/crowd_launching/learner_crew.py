@@ -6,7 +6,7 @@ import time
 import rospy
 from social_crowd.msg import Scenario
 
-from .init_node import init_node
+from .init_node import init_node, is_ending
 from .nodes import NodeError, ending_of, start_node, stop_nodes
 
 
@@ -43,9 +43,9 @@ class LearnerCrew:
 
     def run(self):
         try:
-            while not rospy.is_shutdown():
+            while not is_ending():
                 for agent in range(self.wanted):
-                    if rospy.is_shutdown():
+                    if is_ending():
                         return
                     if agent not in self.learners and (not self.agents or agent in self.agents):
                         self.start_learner(agent)

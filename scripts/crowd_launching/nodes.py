@@ -7,7 +7,7 @@ import time
 import roslib.packages
 import rospy
 
-PATIENCE = 10.0  # [s] time for nodes to write their files and end; roslaunch kills this process after 15 s
+PATIENCE = 7.0  # [s] time for nodes to write their files and end; roslaunch ends this process after 15 s
 
 
 class NodeError(Exception):

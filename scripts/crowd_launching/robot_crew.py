@@ -16,7 +16,7 @@ from geometry_msgs.msg import PoseWithCovarianceStamped
 from social_crowd.msg import RobotStates, Scenario
 from std_msgs.msg import String
 
-from .init_node import init_node
+from .init_node import init_node, is_ending
 from .nodes import ending_of, stop_nodes
 
 RUNNING, CRASHED = 'running', 'crashed'
@@ -131,14 +131,14 @@ class RobotCrew:
 
     def run(self):
         try:
-            while self.scenario is None and not rospy.is_shutdown():
+            while self.scenario is None and not is_ending():
                 time.sleep(PERIOD)
             for robot in self.scenario.robots if self.scenario else []:
-                if not rospy.is_shutdown():
+                if not is_ending():
                     self.start(robot)
-            while not rospy.is_shutdown():
+            while not is_ending():
                 time.sleep(PERIOD)
-                if not rospy.is_shutdown():
+                if not is_ending():
                     self.check()
         finally:
             # A SIGINT while roslaunch reads its files would print a traceback.
@@ -149,8 +149,9 @@ def main():
     init_node('robot_crew')
     try:
         RobotCrew().run()
-    except rospy.ROSInterruptException:
-        pass
+    except rospy.ROSException:
+        if not is_ending():  # else a topic was closed by the shutdown
+            raise
     except StartError as error:
         rospy.logfatal('%s', error)
         return 1

@@ -10,7 +10,6 @@ import numpy
 import rospy
 from crowd_drawing.errors import InputError
 from crowd_drawing.files import OCCUPIED_COLOUR, UNKNOWN_COLOUR, place_of
-from crowd_launching.init_node import init_node
 from crowd_launching.program import end_launch
 from crowd_recordings.formats import read_shown, recorded_people
 from geometry_msgs.msg import Point, Pose, Pose2D, Quaternion, Vector3
@@ -173,8 +172,8 @@ def read_parameters():
 
 def main():
     """Plays the recording until its end, or until the node is shut down. Returns the exit status."""
-    init_node('replay')
     try:
+        rospy.init_node('replay')
         parameters = read_parameters()
         file = parameters['trajectories']
         if not os.path.isfile(file):
@@ -186,6 +185,8 @@ def main():
     except (InputError, OSError) as error:
         print(f'replay: {error}', file=sys.stderr)
         return 1
+    except rospy.ROSInitException:  # interrupted during initialisation
+        return 0
     episode, goes_on = 0, True
     while goes_on:
         replay.begin(episode)

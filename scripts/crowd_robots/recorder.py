@@ -4,7 +4,6 @@ import threading
 import time
 
 import rospy
-from crowd_launching.init_node import init_node
 from crowd_launching.program import end_launch
 from social_crowd.msg import EpisodeResult, RobotResult, RobotStates
 from social_crowd.srv import Reset
@@ -107,7 +106,7 @@ def wait_for(event, seconds=math.inf):
 
 
 def main():
-    init_node('record_robots')
+    rospy.init_node('record_robots')
     name = rospy.get_param('~file', '')
     try:
         with open(name, 'w', encoding='utf-8') as file:

@@ -3,7 +3,6 @@ import pathlib
 
 import rospy
 from crowd_drawing.errors import InputError, problem_of
-from crowd_launching.init_node import init_node
 from crowd_launching.nodes import NodeError
 from crowd_launching.program import end_launch
 from social_crowd import srv
@@ -103,7 +102,12 @@ class Show:
 
 
 def main():
-    init_node('show_thesis')
+    try:
+        rospy.init_node('show_thesis')
+    except rospy.ROSInitException:
+        if rospy.is_shutdown():  # interrupted during initialisation
+            return 0
+        raise
     show = None
     try:
         show = Show(read_plan())

@@ -37,8 +37,8 @@ class NavigationMesh::Query::Search {
   Component component(const Place& place) const { return data_->components()[place.polygon]; }
 
   bool findCorners(const Place& from, const Place& to, double max_length, std::vector<Vector2>& corners) {
-    if (!path_search_.find(from.polygon, data_->toCells(from.metres), to.polygon, data_->toCells(to.metres),
-                           max_length / data_->cellSize(), corners)) {
+    if (!path_search_.find(from.polygon, onPolygon(from), to.polygon, onPolygon(to), max_length / data_->cellSize(),
+                           corners)) {
       return false;
     }
     for (Vector2& corner : corners) corner = data_->toMetres(corner);
@@ -74,6 +74,13 @@ class NavigationMesh::Query::Search {
   std::size_t bytes() const { return sizeof(Search) + path_search_.bytes(); }
 
  private:
+  /// The point of a place [cells], on its polygon also if it is beside it by up to RAY_TOLERANCE: from beside the rim,
+  /// what lies along the rim is not visible.
+  Vector2 onPolygon(const Place& place) const {
+    const Vector2 point = data_->toCells(place.metres);
+    return isOnPolygon(*data_, place.polygon, point, 0.0) ? point : nearestOnRim(*data_, place.polygon, point);
+  }
+
   /// The place nearest to a point that is on no polygon. @param point the same [cells]
   std::optional<Place> nearestOutside(const Vector2& p, const Vector2& point, double within) const {
     Place place;

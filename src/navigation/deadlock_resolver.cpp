@@ -91,7 +91,7 @@ void DeadlockResolver::noteProgress(const Agent& agent, double time, Walk& walk)
   }
 }
 
-/// An agent that is pushed to and fro makes progress, but does not advance.
+/// An agent that is pushed to and fro across its path makes progress, but does not advance.
 void DeadlockResolver::noteAdvance(const Agent& agent, double time, Walk& walk) {
   const Vector2& place = agent.pose.position;
   const double advance = walk.advance_reference ? (place - *walk.advance_reference).dot(walk.course) : 0.0;
@@ -234,7 +234,7 @@ void DeadlockResolver::retreat(World& world, const Agent& agent) {
   std::deque<Vector2>& trail = walk.trail;
   const Vector2& place = agent.pose.position;
   while (!trail.empty() && (trail.back() - place).norm() < BACK) trail.pop_back();
-  // Beyond the begin of its trail, it goes on in the same direction.
+  // Beyond the start of its trail, it goes on in the same direction.
   const bool is_on_trail = !walk.leaves_trail && !trail.empty();
   if (is_on_trail) walk.course = (trail.back() - place).normalized();
   std::vector<Vector2> contacts;

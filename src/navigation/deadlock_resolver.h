@@ -57,7 +57,7 @@ class DeadlockResolver {
     std::deque<Vector2> trail;                 // places at intervals, the latest one last [m]
     std::optional<Vector2> reference;          // where it last made progress [m]
     double progress_time = 0.0;                // when [s]
-    std::optional<Vector2> advance_reference;  // from where it advances on its path [m]
+    std::optional<Vector2> advance_reference;  // where it last advanced, or was farther back [m]
     double advance_time = 0.0;                 // when it last advanced by PROGRESS [s]
     double remaining = 0.0;                    // length of its path, while it is stuck [m]
     double retreat_until = 0.0;                // [s]; 0 unless it walks back

@@ -94,7 +94,7 @@ struct Robot {
   /// @brief The present goal, or the last one after arrival [m], `map`; hasGoal() must hold.
   const Vector2& goal() const { return goals[next_goal]; }
   /// @brief The velocity at which people expect it to go on, `map` [m/s]: that of the last tick; of a robot that waits
-  /// on its way to a goal, as commanded, or ahead, at the speed of one that starts.
+  /// on its way to a goal, as commanded in the last tick, or ahead, at the speed of one that starts.
   Vector2 wantedVelocity() const {
     constexpr double STARTS = 0.3;  // our choice [m/s]
     if (!waits()) return velocity;

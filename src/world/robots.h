@@ -41,8 +41,8 @@ class Robots {
   bool empty() const { return robots_.empty(); }
   const Robot& operator[](RobotId id) const { return robots_[id]; }
 
-  /// @brief Sets what a robot is to do from the next tick on, until the next call; it follows within its limits. Nobody
-  /// perceives the command before that tick: it does not matter whether people perceive before or after the call.
+  /// @brief Sets what a robot is to do from the next tick on, until the next call; it follows within its limits.
+  /// People know the command only after that tick, so that it may be given before or after they perceive.
   /// @throws InputError if there is no such robot, it is EXTERNAL, or a number is not finite.
   void command(RobotId id, const Twist& wanted);
   /// @brief Sets where an EXTERNAL robot is at the end of the coming tick; it stays there until the next call. The

@@ -66,6 +66,22 @@ double lengthRoundTheU(double radius) {
 }
 
 /// A room with a wall that has two doors. The way round the nearer one leads through the other one.
+/// Half a millimetre beside the mesh counts as on it.
+TEST(NavigationMesh, FindsAWayToAGoalBesideTheRim) {
+  Query query{NavigationMesh(floors::roomWithDoor(1.2, 2.6), CLEARANCE)};
+  for (const double y : {-1.0, 0.0, 1.0}) {
+    const auto rim = query.nearestPoint({0.1, y}, CLEARANCE);
+    ASSERT_TRUE(rim);
+    for (const double beside : {0.0, 0.0001, 0.0005, 0.0009}) {
+      const Vector2 goal(rim->x() - beside, y);
+      const auto path = query.findPath({-3.0, 0.0}, goal);
+      ASSERT_TRUE(path) << goal.transpose();
+      EXPECT_EQ(path->corners.back(), goal);
+      EXPECT_TRUE(query.findPath(goal, {-3.0, 0.0})) << goal.transpose();
+    }
+  }
+}
+
 TEST(NavigationMesh, FindsAWayAroundADisc) {
   FloorPlan floor = floors::room({-5.0, -4.0}, {5.0, 6.0});
   floor.walls.push_back({{0.0, -4.0}, {0.0, -0.5}});

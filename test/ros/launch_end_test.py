@@ -6,6 +6,7 @@ import signal
 import subprocess
 import xml.etree.ElementTree as ElementTree
 
+import rosgraph
 import rospy
 import support
 import yaml
@@ -23,14 +24,14 @@ until [[ -e $0.close ]]; do sleep 0.05; done
 HOLDING = """
 import threading, time
 import rospy
-from crowd_launching.init_node import init_node
+from crowd_launching.init_node import init_node, is_ending
 
 init_node('holding')
 lock = threading.Lock()
 rospy.on_shutdown(lock.acquire)
 with lock:
     print('holds the lock', flush=True)
-    while not rospy.core.is_shutdown_requested():
+    while not is_ending():
         time.sleep(0.01)
 """
 INCLUDING = """
@@ -72,6 +73,9 @@ class EndTest(LaunchTestCase):
                           {'PYTHONPATH': f'{support.in_package("scripts")}:{os.environ["PYTHONPATH"]}'})
         support.wait_for(lambda: 'holds the lock' in node.output(), 'the lock')
         self.assertEqual(node.stop(), 0, node.output())
+        self.assertNotIn('Traceback', node.output())
+        nodes = rosgraph.Master(rospy.get_name()).getSystemState()[0]  # publishers of topics
+        self.assertNotIn(f'{self.namespace}/holding', [name for _, names in nodes for name in names])
 
 
 class RvizTest(LaunchTestCase):

@@ -160,7 +160,7 @@ class Launch(Process):
     """A roslaunch, which ends with an error if it is interrupted while it starts nodes."""
 
     NODE = re.compile(r'^    \S+ \(\w+/\S+\)$', re.MULTILINE)  # in the list that it prints first
-    STARTED = re.compile(r'^process\[.*started with pid', re.MULTILINE)
+    STARTED = re.compile(r'^process\[(?!master\]|rosout-).*started with pid', re.MULTILINE)
 
     def has_started(self):
         """Returns whether all nodes were started."""
@@ -169,8 +169,11 @@ class Launch(Process):
 
     def stop(self):
         """Interrupts it after it has started its nodes. Returns its exit status."""
-        wait_for(lambda: not self.is_running() or self.has_started(), 'the start of all nodes')
-        return super().stop()
+        try:
+            wait_for(lambda: not self.is_running() or self.has_started(), 'the start of all nodes')
+        finally:
+            status = super().stop()
+        return status
 
 
 class Folder:

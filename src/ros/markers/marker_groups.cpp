@@ -1,10 +1,10 @@
 #include "ros/markers/marker_groups.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <tuple>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 #include "geometry/geometry.h"
@@ -15,19 +15,24 @@
 namespace crowd {
 namespace {
 
-/// Joins all places by the shortest lines (Prim's algorithm). Changes the order of the places.
-void joinPlaces(std::vector<Vector2>& places, const marker_style::Colour& colour, LineMarker& marker) {
-  for (std::size_t joined = 1; joined < places.size(); ++joined) {
-    std::size_t from = 0;
-    std::size_t to = joined;
-    const auto length = [&](std::size_t a, std::size_t b) { return (places[a] - places[b]).squaredNorm(); };
-    for (std::size_t a = 0; a < joined; ++a) {
-      for (std::size_t b = joined; b < places.size(); ++b) {
-        if (length(a, b) < length(from, to)) std::tie(from, to) = std::pair(a, b);
-      }
+/// Joins all places by the shortest lines (Prim's algorithm).
+void joinPlaces(const std::vector<Vector2>& places, const marker_style::Colour& colour, LineMarker& marker) {
+  std::vector<std::size_t> nearest(places.size(), 0);  // of the joined places, to each open one
+  std::vector<std::size_t> open(places.size() - 1);
+  std::iota(open.begin(), open.end(), std::size_t{1});
+  const auto distance = [&](std::size_t place, std::size_t other) {
+    return (places[place] - places[other]).squaredNorm();
+  };
+  while (!open.empty()) {
+    const auto next = std::min_element(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
+      return distance(a, nearest[a]) < distance(b, nearest[b]);
+    });
+    const std::size_t joined = *next;
+    open.erase(next);
+    marker.addLine(places[nearest[joined]], places[joined], colour);
+    for (const std::size_t place : open) {
+      if (distance(place, joined) < distance(place, nearest[place])) nearest[place] = joined;
     }
-    marker.addLine(places[from], places[to], colour);
-    std::swap(places[joined], places[to]);
   }
 }
 
@@ -39,7 +44,7 @@ visualization_msgs::Marker drawGroups(const social_crowd::AgentStates& states) {
     if (agent.group != 0 && isOnFloor(agent)) places[agent.group].emplace_back(agent.pose.x, agent.pose.y);
   }
   LineMarker marker(marker_style::GROUPS, 0, marker_style::Layer::GROUPS, marker_style::GROUP_WIDTH);
-  for (auto& [group, members] : places) joinPlaces(members, marker_style::ofGroup(), marker);
+  for (const auto& [group, members] : places) joinPlaces(members, marker_style::ofGroup(), marker);
   return marker.finish();
 }
 
