@@ -74,7 +74,6 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
   }
   walk.retreat_until = 0.0;
   walk.course = directionOf(path, agent);
-  noteAdvance(agent, time, walk);
   if (isStuck(walk, time)) walk.remaining = lengthOf({path.data(), path.size()}, place);
   if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
   walk.trail.push_back(place);
@@ -91,21 +90,11 @@ void DeadlockResolver::noteProgress(const Agent& agent, double time, Walk& walk)
   }
 }
 
-/// An agent that is pushed to and fro across its path makes progress, but does not advance.
-void DeadlockResolver::noteAdvance(const Agent& agent, double time, Walk& walk) {
-  const Vector2& place = agent.pose.position;
-  const double advance = walk.advance_reference ? (place - *walk.advance_reference).dot(walk.course) : 0.0;
-  const bool has_advanced =
-      advance > PROGRESS || agent.yielding || agent.isHeld() || agent.at_goal || !walk.advance_reference;
-  if (has_advanced) walk.advance_time = time;
-  if (has_advanced || advance < 0.0) walk.advance_reference = place;
-}
-
 void DeadlockResolver::startRetreat(const Agent& agent, double time) {
   Walk& walk = walks_[agent.id];
   walk.retreat_from = agent.pose.position;
   walk.retreat_until = time + RETREAT_TIME;
-  walk.progress_time = walk.advance_time = walk.retreat_until + WALK_TIME - STUCK_TIME;
+  walk.progress_time = walk.retreat_until + WALK_TIME - STUCK_TIME;
   walk.course = -walk.course;  // the agents that it meets head-on do not give way, too
   retreating_.push_back(agent.id);
 }
@@ -145,14 +134,14 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
   return std::any_of(retreating_.begin(), retreating_.end(), has_priority);
 }
 
-/// Whether an agent that waits is in the way of one that does not advance.
+/// Whether an agent that waits is in the way of one that is stuck.
 bool DeadlockResolver::blocksOthers(const World& world, const Agent& agent) {
   const Span<Walker> near = walkersNear(world, agent, WAITER_REACH);
   return std::any_of(near.begin(), near.end(), [&](const Walker& walker) {
     const Agent& other = world.agents()[walker.agent];
     const Walk& its = walks_[other.id];
-    const bool is_held_up = world.time() - its.advance_time >= STUCK_TIME;
-    if (other.id == agent.id || other.yielding || other.isHeld() || walksBack(its) || !is_held_up) return false;
+    const bool is_stuck = !other.yielding && !other.isHeld() && !walksBack(its) && isStuck(its, world.time());
+    if (other.id == agent.id || !is_stuck) return false;
     const Vector2 offset = agent.pose.position - other.pose.position;
     const double gap = offset.norm() - agent.radius - other.radius;
     const Vector2 way = (other.perceivedGoal() - other.pose.position).normalized();

@@ -23,8 +23,7 @@ namespace crowd {
 /// - Of agents in the same direction that are both stuck and touch each other, as in an arch in front of a door, the
 ///   one with the shorter remaining path has priority, wherever the other one is.
 ///
-/// An agent that waits gives way to one that it blocks if that one has not advanced on its path by PROGRESS for
-/// STUCK_TIME.
+/// An agent that waits gives way to one that it blocks.
 ///
 /// An agent that gives way walks back for RETREAT_TIME, and agents that it walks towards do the same. It walks along
 /// its own trail; after an attempt in which it could not move, against the direction of its path, and then in turns.
@@ -54,17 +53,15 @@ class DeadlockResolver {
 
  private:
   struct Walk {
-    std::deque<Vector2> trail;                 // places at intervals, the latest one last [m]
-    std::optional<Vector2> reference;          // where it last made progress [m]
-    double progress_time = 0.0;                // when [s]
-    std::optional<Vector2> advance_reference;  // where it last advanced, or was farther back [m]
-    double advance_time = 0.0;                 // when it last advanced by PROGRESS [s]
-    double remaining = 0.0;                    // length of its path, while it is stuck [m]
-    double retreat_until = 0.0;                // [s]; 0 unless it walks back
-    Vector2 retreat_from = Vector2::Zero();    // where its last retreat began [m]
-    bool cannot_walk_back = false;             // at its last attempt, and it has made no progress since
-    bool leaves_trail = false;                 // walks back against its direction, not along its trail
-    Vector2 course = Vector2::UnitX();         // direction of its path, or back [unit vector]
+    std::deque<Vector2> trail;               // places at intervals, the latest one last [m]
+    std::optional<Vector2> reference;        // where it last made progress [m]
+    double progress_time = 0.0;              // when [s]
+    double remaining = 0.0;                  // length of its path, while it is stuck [m]
+    double retreat_until = 0.0;              // [s]; 0 unless it walks back
+    Vector2 retreat_from = Vector2::Zero();  // where its last retreat began [m]
+    bool cannot_walk_back = false;           // at its last attempt, and it has made no progress since
+    bool leaves_trail = false;               // walks back against its direction, not along its trail
+    Vector2 course = Vector2::UnitX();       // direction of its path, or back [unit vector]
   };
 
   /// An agent that walks.
@@ -77,7 +74,6 @@ class DeadlockResolver {
   static bool isStuck(const Walk& walk, double time) { return time - walk.progress_time >= STUCK_TIME; }
   void follow(const Agent& agent, const RemainingPath& path, double time, Walk& walk);
   static void noteProgress(const Agent& agent, double time, Walk& walk);
-  static void noteAdvance(const Agent& agent, double time, Walk& walk);
   void startRetreat(const Agent& agent, double time);
   void sortByX(const World& world);
   /// The walkers that may be within a distance of an agent [m], by x; the agent itself is among them.

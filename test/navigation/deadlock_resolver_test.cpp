@@ -86,17 +86,6 @@ TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatItBlocks) {
   EXPECT_TRUE(crowd.givesWay(0));  // makes room for agent 1, which walks back
 }
 
-/// Agent 1 waits in front of agent 0, which walks to and fro across its way, 0.7 m wide.
-TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatOnlyWalksToAndFro) {
-  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({0.45, 0.0}, {9.0, 0.0})});
-  for (int tick = 0; !crowd.givesWay(1) && crowd.world.time() < 60.0; ++tick) {
-    WorldEditor(crowd.world).teleport(0, {{0.0, tick % 2 == 0 ? 0.35 : -0.35}, 0.0});
-    crowd.world.walkingAgent(1).yielding = true;
-    crowd.stand();
-  }
-  EXPECT_TRUE(crowd.givesWay(1));
-}
-
 /// Agent 1 waits beside agent 0, 0.1 m behind.
 TEST(DeadlockResolver, WhoWaitsGivesWayToOneThatItTouches) {
   Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({-0.1, 0.39}, {9.0, 0.39})});
