@@ -6,7 +6,7 @@ import numpy
 # As genpy serialises the fields of AgentState.msg and ObstacleState.msg: in their order, without gaps.
 AGENT = numpy.dtype([
     ('id', '<u4'), ('pose', '<f8', 3), ('velocity', '<f8', 3), ('max_speed', '<f8'), ('radius', '<f8'),
-    ('figure', 'u1'), ('goal', '<f8', 3), ('status', 'u1'), ('in_contact', 'u1'), ('touched', 'u1'),
+    ('figure', 'u1'), ('group', '<u4'), ('goal', '<f8', 3), ('status', 'u1'), ('in_contact', 'u1'), ('touched', 'u1'),
     ('in_collision', 'u1'), ('collided', 'u1'), ('blocked', 'u1'), ('blocked_moves', '<u8')])
 OBSTACLE = numpy.dtype([
     ('id', '<u4'), ('recorded', 'u1'), ('person', '<u8'), ('position', '<f8', 3), ('velocity', '<f8', 3),
