@@ -258,7 +258,7 @@ class ReportedTopicsTest(TopicsTestCase):
         self.expect_agents(ear, [0])
         self.report('/a', f'{self.namespace}/perceptions/elsewhere', [0])
         support.wait_for(lambda: not self.is_published(host), 'the end of the topic')
-        self.assertTrue(self.is_published(f'{self.namespace}/perceptions/elsewhere'))
+        support.wait_for(lambda: self.is_published(f'{self.namespace}/perceptions/elsewhere'), 'the other topic')
 
     def test_learner_in_python_with_a_topic_of_its_own(self):
         """It answers for its agents, another one for the rest; the topic has no publisher before the status."""
