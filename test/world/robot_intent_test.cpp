@@ -18,7 +18,7 @@ TEST(RobotIntent, ARobotThatWaitsOnItsWayWantsToGoAhead) {
   World world(with({robotTo({0.0, 5.0}, {0.0, 0.0})}, scene({})));
   expectVector(world.robots()[0].wantedVelocity(), 0.0, 0.3);
   world.robots().command(0, {{-0.05, 0.0}, 0.0});              // back
-  expectVector(world.robots()[0].wantedVelocity(), 0.0, 0.3);  // nobody knows it before it moves
+  expectVector(world.robots()[0].wantedVelocity(), 0.0, 0.3);  // people do not know it yet
   world.step({});
   expectVector(world.robots()[0].wantedVelocity(), 0.0, -0.3);
   world.robots().command(0, {{0.5, 0.0}, 0.0});
