@@ -1,16 +1,30 @@
 """Reads serialised social_crowd/AgentStates into arrays, without an object for each agent."""
 import struct
 
+import genpy
 import numpy
+from social_crowd.msg import AgentState, ObstacleState
 
-# As genpy serialises the fields of AgentState.msg and ObstacleState.msg: in their order, without gaps.
-AGENT = numpy.dtype([
-    ('id', '<u4'), ('pose', '<f8', 3), ('velocity', '<f8', 3), ('max_speed', '<f8'), ('radius', '<f8'),
-    ('figure', 'u1'), ('group', '<u4'), ('goal', '<f8', 3), ('status', 'u1'), ('in_contact', 'u1'), ('touched', 'u1'),
-    ('in_collision', 'u1'), ('collided', 'u1'), ('blocked', 'u1'), ('blocked_moves', '<u8')])
-OBSTACLE = numpy.dtype([
-    ('id', '<u4'), ('recorded', 'u1'), ('person', '<u8'), ('position', '<f8', 3), ('velocity', '<f8', 3),
-    ('radius', '<f8')])
+NUMBERS = {'bool': 'u1', 'uint8': 'u1', 'uint32': '<u4', 'uint64': '<u8', 'float64': '<f8'}
+
+
+def dtype_of(message):
+    """Returns the dtype of a type of messages as genpy serialises them: their fields in order, without gaps."""
+    return numpy.dtype([(name, *type_of(kind)) for name, kind in zip(message.__slots__, message._slot_types)])
+
+
+def type_of(kind):
+    """Returns the dtype of a field, and its shape if it is a message of float64."""
+    if kind in NUMBERS:
+        return (NUMBERS[kind],)
+    parts = genpy.message.get_message_class(kind)._slot_types
+    if set(parts) != {'float64'}:
+        raise TypeError(f'AgentStates: expected numbers and messages of float64, got a field {kind}')
+    return NUMBERS['float64'], (len(parts),)
+
+
+AGENT = dtype_of(AgentState)
+OBSTACLE = dtype_of(ObstacleState)
 
 
 class AgentStates:

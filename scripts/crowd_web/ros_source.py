@@ -186,7 +186,7 @@ class RosSource(RosCommands, PageSource):
     def take_mind(self, data, _):
         values = read(DecisionValues, data)
         states = self.states
-        at = [] if states is None else numpy.flatnonzero(states.agents['id'] == values.agent)
+        at = [] if states is None else numpy.flatnonzero(states.agents['agent'] == values.agent)
         if values.episode != self.shown_episode or not len(at):
             return
         speed = float(states.agents['max_speed'][at[0]])
@@ -201,12 +201,12 @@ def packed(states):
     """Returns the frame of AgentStates."""
     agents = states.agents
     pose, velocity = agents['pose'], agents['velocity']
-    return frame_of(states.tick, states.time, agents['id'], pose[:, 0], pose[:, 1], pose[:, 2],
+    return frame_of(states.tick, states.time, agents['agent'], pose[:, 0], pose[:, 1], pose[:, 2],
                     numpy.hypot(velocity[:, 0], velocity[:, 1]), agents['status'] + IN_CONTACT * agents['in_contact'])
 
 
 def known_of(agents):
-    return KnownAgents(agents['id'], agents['radius'], agents['goal'][:, :2])
+    return KnownAgents(agents['agent'], agents['radius'], agents['goal'][:, :2])
 
 
 def known_at_start(scenario):
@@ -217,7 +217,7 @@ def known_at_start(scenario):
 def obstacle_rows(states):
     """Returns number, x, y, radius of each obstacle."""
     obstacles = states.obstacles
-    return numpy.column_stack([obstacles['id'], obstacles['position'][:, :2], obstacles['radius']])
+    return numpy.column_stack([obstacles['obstacle'], obstacles['position'][:, :2], obstacles['radius']])
 
 
 def neighbours_of(agents, at, vision):
@@ -229,4 +229,4 @@ def neighbours_of(agents, at, vision):
     distances[at] = numpy.inf
     distances[~numpy.isin(agents['status'], (0, 3))] = numpy.inf
     order = numpy.argsort(distances, kind='stable')[:most or None]
-    return agents['id'][order[distances[order] <= radius]].tolist()
+    return agents['agent'][order[distances[order] <= radius]].tolist()

@@ -11,6 +11,11 @@ namespace crowd {
 /// between the bodies takes at least a certain time to walk (collision-free speed model of Tordeux, Chraibi and
 /// Seyfried 2016, v = gap / time gap).
 ///
+/// With an anticipation time the gap is that to which it opens within this time, at the present velocities
+/// (anticipation velocity model of Xu, Chraibi and Seyfried 2021): agents start together with those ahead of them.
+/// Unlike there, a gap that closes is taken as it is. Agents that follow each other at the same speed keep the time gap
+/// as without.
+///
 /// The time gap is that of a person with the maximum speed REFERENCE_SPEED; others walk at the same fraction of their
 /// maximum speed at the same gap. Measured speeds in corridors are in this ratio at all densities (docs/human.md).
 /// Walls and obstacles limit nothing. Immutable: any number of threads may call cut() with buffers of their own.
@@ -23,7 +28,9 @@ class TimeGap {
   /// @param time_gap [s], not negative; 0: no move is limited
   /// @param width an agent is ahead of a move if its centre is less than this share of the sum of both radii aside of
   /// the move's line, not negative
-  TimeGap(double time_gap, double width) : walked_(time_gap * REFERENCE_SPEED), width_(width) {}
+  /// @param anticipation_time for which gaps are extrapolated [s], not negative; 0: gaps are those of the moment
+  TimeGap(double time_gap, double width, double anticipation_time)
+      : walked_(time_gap * REFERENCE_SPEED), width_(width), anticipation_time_(anticipation_time) {}
 
   /// @brief Whether any move can be limited.
   bool isOn() const { return walked_ > 0.0; }
@@ -35,6 +42,7 @@ class TimeGap {
  private:
   double walked_;  // at the reference speed in the time gap [m]
   double width_;
+  double anticipation_time_;  // [s]
 };
 
 }  // namespace crowd

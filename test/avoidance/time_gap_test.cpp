@@ -33,46 +33,58 @@ PerceptionsBuilder facing(double gap, double bearing = 0.0) {
 }
 
 TEST(TimeGap, TakesTheTimeGapToWalkTheGap) {
-  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, facing(0.5 * REFERENCE)), 0.5, 1e-9);
-  EXPECT_NEAR(fractionAt(0.0, {0.5, 1.0}, facing(0.25 * REFERENCE)), 0.5, 1e-9);
-  EXPECT_NEAR(fractionAt(0.0, {2.0, 1.0}, facing(0.5 * REFERENCE)), 0.25, 1e-9);
-  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, facing(0.134)), 0.1, 1e-9);
-  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, facing(0.0)), 0.0, 1e-9);
-  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0}, facing(-0.1)), 0.0);
-  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0}, facing(1.35)), 1.0);
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.0}, facing(0.5 * REFERENCE)), 0.5, 1e-9);
+  EXPECT_NEAR(fractionAt(0.0, {0.5, 1.0, 0.0}, facing(0.25 * REFERENCE)), 0.5, 1e-9);
+  EXPECT_NEAR(fractionAt(0.0, {2.0, 1.0, 0.0}, facing(0.5 * REFERENCE)), 0.25, 1e-9);
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.0}, facing(0.134)), 0.1, 1e-9);
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.0}, facing(0.0)), 0.0, 1e-9);
+  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0, 0.0}, facing(-0.1)), 0.0);
+  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0, 0.0}, facing(1.35)), 1.0);
+}
+
+/// The same; the agent walks ahead at 0.5 m/s, the other one at a velocity [m/s].
+PerceptionsBuilder following(double gap, const Vector2& velocity) { return facing(gap).velocity({0.5, 0.0}, velocity); }
+
+TEST(TimeGap, IsThatOfTheGapThatOpens) {
+  // 0.2 m, and 0.4 m in 0.5 s at 0.8 m/s faster.
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.5}, following(0.2, {1.3, 0.0})), 0.6 / REFERENCE, 1e-9);
+  // Who walks as fast, more slowly, across or towards the agent opens no gap.
+  for (const Vector2& velocity : {Vector2(0.5, 0.0), Vector2(0.3, 0.0), Vector2(0.0, 1.0), Vector2(-1.0, 0.0)}) {
+    EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.5}, following(0.2, velocity)), 0.2 / REFERENCE, 1e-9);
+  }
 }
 
 TEST(TimeGap, IsForWhoIsAheadOfTheMoveWithinTheBodysWidth) {
   // The other is 1 m away at 25 degrees: 0.42 m aside of straight ahead, less than 0.5 m, more than 0.8 of it.
   const PerceptionsBuilder scene = facing(0.5, 25.0);
   const double cut = 0.5 / REFERENCE;
-  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, scene), cut, 1e-9);
-  EXPECT_EQ(fractionAt(0.0, {1.0, 0.8}, scene), 1.0);
-  EXPECT_NEAR(fractionAt(25.0, {1.0, 0.8}, scene), cut, 1e-9);
-  EXPECT_NEAR(fractionAt(50.0, {1.0, 1.0}, scene), cut, 1e-9);
-  EXPECT_EQ(fractionAt(60.0, {1.0, 1.0}, scene), 1.0);   // 35 degrees off: 0.57 m aside
-  EXPECT_EQ(fractionAt(205.0, {1.0, 1.0}, scene), 1.0);  // behind
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.0}, scene), cut, 1e-9);
+  EXPECT_EQ(fractionAt(0.0, {1.0, 0.8, 0.0}, scene), 1.0);
+  EXPECT_NEAR(fractionAt(25.0, {1.0, 0.8, 0.0}, scene), cut, 1e-9);
+  EXPECT_NEAR(fractionAt(50.0, {1.0, 1.0, 0.0}, scene), cut, 1e-9);
+  EXPECT_EQ(fractionAt(60.0, {1.0, 1.0, 0.0}, scene), 1.0);   // 35 degrees off: 0.57 m aside
+  EXPECT_EQ(fractionAt(205.0, {1.0, 1.0, 0.0}, scene), 1.0);  // behind
 }
 
 TEST(TimeGap, IsKeptToTheNearestOfThoseAhead) {
   auto scene = facing(1.0).neighbour({0.5 + 0.134, 0.0}, 0.25);
-  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0}, scene), 0.1, 1e-9);
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.0}, scene), 0.1, 1e-9);
 }
 
 TEST(TimeGap, IsNotForObstaclesAndWalls) {
-  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0}, facing(0.1).kind(NeighbourKind::OBSTACLE)), 1.0);
-  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0}, PerceptionsBuilder().agent(0, {5.0, 0.0}).wall({0.3, -1}, {0.3, 1})), 1.0);
+  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0, 0.0}, facing(0.1).kind(NeighbourKind::OBSTACLE)), 1.0);
+  EXPECT_EQ(fractionAt(0.0, {1.0, 1.0, 0.0}, PerceptionsBuilder().agent(0, {5.0, 0.0}).wall({0.3, -1}, {0.3, 1})), 1.0);
 }
 
 TEST(TimeGap, LeavesSlowerMovesAsTheyAre) {
-  const auto moves = limited({1.0, 1.0}, facing(0.5 * REFERENCE), {{Vector2::UnitX(), 0.4, 0.4}});
+  const auto moves = limited({1.0, 1.0, 0.0}, facing(0.5 * REFERENCE), {{Vector2::UnitX(), 0.4, 0.4}});
   EXPECT_EQ(moves[0].fraction, 0.4);
   EXPECT_EQ(moves[0].wanted, 0.4);
 }
 
 TEST(TimeGap, IsOffAtZero) {
-  EXPECT_FALSE(TimeGap(0.0, 1.0).isOn());
-  EXPECT_EQ(fractionAt(0.0, {0.0, 1.0}, facing(0.0)), 1.0);
+  EXPECT_FALSE(TimeGap(0.0, 1.0, 0.0).isOn());
+  EXPECT_EQ(fractionAt(0.0, {0.0, 1.0, 0.0}, facing(0.0)), 1.0);
 }
 
 PerceptionsBuilder randomScene(std::uint64_t seed) {

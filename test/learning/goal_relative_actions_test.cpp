@@ -70,6 +70,8 @@ TEST(GoalRelativeActions, AgreesWithItsSpec) {
   EXPECT_EQ(specOf("{type: goal_relative}"), GoalRelativeActions().spec());
   const std::string with_time_gap = spec.substr(0, spec.size() - 1) + ", time_gap: 0.9, time_gap_width: 0.8}";
   EXPECT_EQ(specOf(with_time_gap), with_time_gap);
+  const std::string with_anticipation = with_time_gap.substr(0, with_time_gap.size() - 1) + ", anticipation_time: 0.5}";
+  EXPECT_EQ(specOf(with_anticipation), with_anticipation);
   EXPECT_EQ(specOf(spec.substr(0, spec.size() - 1) + ", time_gap: 0}"), spec);  // off
   const auto error = [](const std::string& yaml) { return errorOf<InputError>([&] { specOf(yaml); }); };
   EXPECT_TRUE(

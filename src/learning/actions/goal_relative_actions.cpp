@@ -53,7 +53,7 @@ CandidateMove deviate(const CandidateMove& move, const Gait& gait, const Percept
 GoalRelativeActions::GoalRelativeActions(const Parameters& parameters)
     : parameters_(parameters),
       rule_(parameters.gap_sharing, parameters.lookout),
-      time_gap_(parameters.time_gap, parameters.time_gap_width) {
+      time_gap_(parameters.time_gap, parameters.time_gap_width, parameters.anticipation_time) {
   addBothSides(parameters.headings, 1.0);
   addBothSides(parameters.slow_headings, parameters.slow_fraction);
   turned_ = size();
@@ -115,7 +115,8 @@ RelativeAction GoalRelativeActions::exactAction(const Perception& seen, const Mo
 /// Absent while it is off: headers of tables stay as they were.
 std::string GoalRelativeActions::timeGapSpec() const {
   if (!time_gap_.isOn()) return "";
-  return ", time_gap: " + toText(parameters_.time_gap) + ", time_gap_width: " + toText(parameters_.time_gap_width);
+  return ", time_gap: " + toText(parameters_.time_gap) + ", time_gap_width: " + toText(parameters_.time_gap_width) +
+         (parameters_.anticipation_time > 0.0 ? ", anticipation_time: " + toText(parameters_.anticipation_time) : "");
 }
 
 std::string GoalRelativeActions::spec() const {
@@ -130,7 +131,7 @@ std::string GoalRelativeActions::spec() const {
 
 std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {
   map.allow({"type", "headings", "slow_headings", "slow_fraction", "stay", "gap_sharing", "lookout", "time_gap",
-             "time_gap_width", "motion", "gait"});
+             "time_gap_width", "anticipation_time", "motion", "gait"});
   GoalRelativeActions::Parameters parameters;
   parameters.headings = map.risingNumbers("headings", 0.0, 180.0, parameters.headings);
   if (parameters.headings.empty()) throwExpected(map.placeOf("headings"), map.need("headings"), "at least one");
@@ -141,6 +142,8 @@ std::shared_ptr<const ActionSet> readGoalRelativeActions(YamlMap& map) {
   parameters.lookout = map.number("lookout", NumberRule::NOT_NEGATIVE, parameters.lookout);
   parameters.time_gap = map.number("time_gap", NumberRule::NOT_NEGATIVE, parameters.time_gap);
   parameters.time_gap_width = map.number("time_gap_width", NumberRule::NOT_NEGATIVE, parameters.time_gap_width);
+  parameters.anticipation_time =
+      map.number("anticipation_time", NumberRule::NOT_NEGATIVE, parameters.anticipation_time);
   if (map.has("motion")) parameters.motion = readMotionLimits(map.find("motion"), map.placeOf("motion"));
   if (map.has("gait")) parameters.gait = readGait(map.find("gait"), map.placeOf("gait"));
   return std::make_shared<GoalRelativeActions>(parameters);

@@ -21,11 +21,12 @@ class GoalRelativeActions : public ActionSet {
     double slow_fraction = 0.5;                                        ///< of the maximum speed
     bool stay = true;                                                  ///< whether staying is an action, the last one
     GapSharing gap_sharing = GapSharing::MOVING;                       ///< see SeparationRule
-    double lookout = 1.5;         ///< see SeparationRule [s]; 0: moving obstacles are ignored
-    double time_gap = 0.0;        ///< see TimeGap [s]; 0: none is kept
-    double time_gap_width = 1.0;  ///< see TimeGap
-    MotionLimits motion;          ///< see ActionSet::motion()
-    Gait gait;                    ///< of agents with motion limits
+    double lookout = 1.5;            ///< see SeparationRule [s]; 0: moving obstacles are ignored
+    double time_gap = 0.0;           ///< see TimeGap [s]; 0: none is kept
+    double time_gap_width = 1.0;     ///< see TimeGap
+    double anticipation_time = 0.0;  ///< see TimeGap [s]
+    MotionLimits motion;             ///< see ActionSet::motion()
+    Gait gait;                       ///< of agents with motion limits
   };
 
   GoalRelativeActions() : GoalRelativeActions(Parameters()) {}
