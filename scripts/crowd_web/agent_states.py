@@ -17,10 +17,10 @@ def type_of(kind):
     """Returns the dtype of a field, and its shape if it is a message of float64."""
     if kind in NUMBERS:
         return (NUMBERS[kind],)
-    parts = genpy.message.get_message_class(kind)._slot_types
-    if set(parts) != {'float64'}:
-        raise TypeError(f'AgentStates: expected numbers and messages of float64, got a field {kind}')
-    return NUMBERS['float64'], (len(parts),)
+    message = genpy.message.get_message_class(kind) if '/' in kind else None
+    if message is None or set(message._slot_types) != {'float64'}:
+        raise TypeError(f'AgentStates: expected numbers and messages of float64, got a field of {kind}')
+    return NUMBERS['float64'], (len(message._slot_types),)
 
 
 AGENT = dtype_of(AgentState)

@@ -11,10 +11,9 @@ namespace crowd {
 /// between the bodies takes at least a certain time to walk (collision-free speed model of Tordeux, Chraibi and
 /// Seyfried 2016, v = gap / time gap).
 ///
-/// With an anticipation time the gap is that to which it opens within this time, at the present velocities
-/// (anticipation velocity model of Xu, Chraibi and Seyfried 2021): agents start together with those ahead of them.
-/// Unlike there, a gap that closes is taken as it is. Agents that follow each other at the same speed keep the time gap
-/// as without.
+/// With an anticipation time a move is admissible, too, if the gap takes the time gap to walk after this time, in which
+/// the other one keeps its velocity and the agent walks as the move says (ours). So agents start soon after those ahead
+/// of them. Who follows another one at the same speed has the same gap as without.
 ///
 /// The time gap is that of a person with the maximum speed REFERENCE_SPEED; others walk at the same fraction of their
 /// maximum speed at the same gap. Measured speeds in corridors are in this ratio at all densities (docs/human.md).
@@ -34,8 +33,8 @@ class TimeGap {
 
   /// @brief Whether any move can be limited.
   bool isOn() const { return walked_ > 0.0; }
-  /// @brief Decreases the admissible fraction of each of the first `count` moves to gap / (time gap x REFERENCE_SPEED),
-  /// with the smallest gap to an agent ahead of the move.
+  /// @brief Decreases the admissible fraction of each of the first `count` moves to that of the agents ahead of the
+  /// move that admits the least. It is gap / (time gap x REFERENCE_SPEED), and more if the gap opens.
   /// @param moves blocksOf(count) blocks
   void cut(const Perception& perception, MoveBlock* moves, std::size_t count) const;
 

@@ -11,6 +11,11 @@ Mirror mirrorFor(const Model& model, const LearningParameters& parameters) {
   return parameters.mirrored ? Mirror(*model.state_set, *model.action_set) : Mirror();
 }
 
+std::shared_ptr<const ActionSet> actionsOf(const Model& model, Mode mode) {
+  const auto while_learning = mode == Mode::TRAINING ? model.action_set->whileLearning() : nullptr;
+  return while_learning != nullptr ? while_learning : model.action_set;
+}
+
 }  // namespace
 
 Learner::Learner(Model model, Options options)
@@ -23,6 +28,7 @@ Learner::Learner(Model model, Options options, QTable table)
       blocks_each_(blocksOf(model_.action_set->size())),
       has_constant_moves_(model_.action_set->hasConstantMoves()),
       options_(std::move(options)),
+      actions_(actionsOf(model_, options_.mode)),
       parameters_(options_.plan.parameters),
       learning_rates_(parameters_),
       mirror_(mirrorFor(model_, parameters_)),
@@ -178,12 +184,12 @@ inline void Learner::findRows(DecisionWorkspace& workspace) const {
   const bool grows = workspace.moves.size() < agents * blocks_each_;
   if (grows) workspace.moves.resize(agents * blocks_each_);
   // The workspace may have been used by another learner.
-  const bool has_moves = has_constant_moves_ && !grows && workspace.moves_of == model_.action_set;
-  if (workspace.moves_of != model_.action_set) workspace.moves_of = model_.action_set;
+  const bool has_moves = has_constant_moves_ && !grows && workspace.moves_of == actions_;
+  if (workspace.moves_of != actions_) workspace.moves_of = actions_;
   for (std::size_t first = 0; first < agents; first += MAX_BATCH) {
     const PerceptionBatch batch(&workspace.seen[first], std::min(MAX_BATCH, agents - first));
     MoveBlock* const moves = &workspace.moves[first * blocks_each_];
-    if (!has_moves) model_.action_set->findMoves(batch, moves);
+    if (!has_moves) actions_->findMoves(batch, moves);
     model_.state_set->findRows(batch, moves, &workspace.rows[first * rows_each_]);
   }
 }
@@ -202,8 +208,7 @@ inline void Learner::answer(DecisionWorkspace& workspace, std::vector<AgentActio
     AgentAction& given = actions.emplace_back();
     given.agent = self.agent;
     const MoveBlock* const moves = &workspace.moves[k * blocks_each_];
-    given.action = options_.mode == Mode::DEMO ? model_.action_set->relativeAction(workspace.seen[k], moves, action)
-                                               : model_.action_set->exactAction(workspace.seen[k], moves, action);
+    given.action = actions_->relativeAction(workspace.seen[k], moves, action);
   }
 }
 
@@ -293,6 +298,7 @@ void Learner::setMode(Mode mode) {
   if (mode != options_.mode) forgetDecisions();
   if (mode == Mode::TRAINING) tables_.beginSources();
   options_.mode = mode;
+  actions_ = actionsOf(model_, mode);
 }
 
 void Learner::setPlan(const LearningPlan& plan) {

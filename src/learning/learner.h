@@ -215,6 +215,7 @@ class Learner {
   std::size_t blocks_each_;  // blocks of moves per agent
   bool has_constant_moves_;  // the moves in a workspace stay valid
   Options options_;
+  std::shared_ptr<const ActionSet> actions_;  // that agents use in the present mode
   LearningParameters parameters_;
   LearningRateSchedule learning_rates_;
   Mirror mirror_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "common/random.h"
@@ -43,14 +44,33 @@ TEST(TimeGap, TakesTheTimeGapToWalkTheGap) {
 }
 
 /// The same; the agent walks ahead at 0.5 m/s, the other one at a velocity [m/s].
-PerceptionsBuilder following(double gap, const Vector2& velocity) { return facing(gap).velocity({0.5, 0.0}, velocity); }
+PerceptionsBuilder following(double gap, const Vector2& velocity) {
+  return facing(gap).speed(1.0).velocity({0.5, 0.0}, velocity);
+}
 
 TEST(TimeGap, IsThatOfTheGapThatOpens) {
-  // 0.2 m, and 0.4 m in 0.5 s at 0.8 m/s faster.
-  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.5}, following(0.2, {1.3, 0.0})), 0.6 / REFERENCE, 1e-9);
-  // Who walks as fast, more slowly, across or towards the agent opens no gap.
-  for (const Vector2& velocity : {Vector2(0.5, 0.0), Vector2(0.3, 0.0), Vector2(0.0, 1.0), Vector2(-1.0, 0.0)}) {
+  // f * 1.34 m is the gap of 0.2 m and 0.4 m, less f * 0.5 m.
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.5}, following(0.2, {0.8, 0.0})), 0.6 / (REFERENCE + 0.5), 1e-9);
+  // Across, or towards the agent, or more slowly than it may walk at the present gap, no gap opens.
+  for (const Vector2& velocity : {Vector2(0.0, 1.0), Vector2(-1.0, 0.0), Vector2(0.1, 0.0)}) {
     EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.5}, following(0.2, velocity)), 0.2 / REFERENCE, 1e-9);
+  }
+  // The other is at 40 degrees: of a way straight ahead cos(40 degrees) lead towards it.
+  const auto aside = facing(0.0, 40.0).speed(1.0).velocity({0.5, 0.0}, polar(40.0, 0.8));
+  EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 0.5}, aside), 0.4 / (REFERENCE + 0.5 * std::cos(toRadians(40.0))), 1e-9);
+}
+
+TEST(TimeGap, DoesNotDependOnTheSpeedOfTheAgent) {
+  const auto scene = [](double speed) { return facing(0.2).speed(1.0).velocity({speed, 0.0}, {0.8, 0.0}); };
+  for (const double speed : {-1.0, 0.0, 1.0}) {
+    EXPECT_EQ(fractionAt(0.0, {1.0, 1.0, 0.5}, scene(speed)), fractionAt(0.0, {1.0, 1.0, 0.5}, scene(0.3)));
+  }
+}
+
+TEST(TimeGap, OfWhoFollowsAtTheSameSpeedIsAsWithoutAnticipation) {
+  for (const double gap : {0.1, 0.3, 0.7}) {
+    const auto scene = following(gap, {gap / REFERENCE, 0.0});  // the maximum speed is 1 m/s
+    EXPECT_NEAR(fractionAt(0.0, {1.0, 1.0, 2.0}, scene), fractionAt(0.0, {1.0, 1.0, 0.0}, scene), 1e-9) << gap;
   }
 }
 
@@ -123,6 +143,16 @@ TEST(TimeGap, NeverMakesAMoveFasterAndALongerOneNever) {
     }
   }
   EXPECT_GT(slower, 1000U);  // of 3600
+}
+
+TEST(TimeGap, IsThatOfTheMomentWhileLearning) {
+  GoalRelativeActions::Parameters parameters;
+  parameters.time_gap = 1.0;
+  parameters.anticipation_time = 1.0;
+  const GoalRelativeActions actions(parameters);
+  const PerceptionsBuilder scene = following(0.2, {0.7, 0.0});
+  EXPECT_NEAR(moveAt(movesOf(actions, scene.perception()).data(), 0).fraction, 0.9 / (REFERENCE + 1.0), 1e-9);
+  EXPECT_NEAR(moveAt(movesOf(*actions.whileLearning(), scene.perception()).data(), 0).fraction, 0.2 / REFERENCE, 1e-9);
 }
 
 TEST(TimeGap, DoesNotHoldUpWhoEscapesFromAMovingObstacle) {

@@ -7,6 +7,7 @@
 #include "geometry/geometry.h"
 #include "learning/actions/goal_relative_actions.h"
 #include "support/error_of.h"
+#include "support/learners.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
 
@@ -105,10 +106,28 @@ TEST(Gait, IsNotThatOfAgentsWhoLearn) {
       PerceptionsBuilder().agent(0, {5.0, 0.0}).speed(1.3).walking({1.3, 0.0}).motion({3.0, 3.0, INFINITE});
   const GoalRelativeActions actions = walkingAsPeopleDo();
   const Perception seen = scene.perception();
-  const RelativeAction exact = actions.exactAction(seen, movesOf(actions, seen).data(), 0);
-  EXPECT_EQ(exact.rotation, 0.0);
-  EXPECT_EQ(exact.speed_fraction, 1.0);
+  const RelativeAction learning = relativeAction(*actions.whileLearning(), seen, 0);
+  EXPECT_EQ(learning.rotation, 0.0);
+  EXPECT_EQ(learning.speed_fraction, 1.0);
   EXPECT_NE(relativeAction(actions, seen, 0).rotation, 0.0);
+}
+
+/// The answer to an agent that walks straight to its goal, by a table without values.
+double rotationOf(Learner& learner) {
+  const auto scene = PerceptionsBuilder(0, 7).agent(0, {5.0, 0.0}).walking({0.3, 0.0}).motion({3.0, 3.0, INFINITE});
+  return learners::decide(learner, scene).agents.at(0).action.rotation;
+}
+
+TEST(Gait, BeginsAndEndsWithTheModeOfTheLearner) {
+  Learner learner(
+      parseModel("{state_set: {type: anticipation}, action_set: {type: goal_relative, motion: {acceleration: 3, "
+                 "braking: 3}, gait: {sway: 45, wander: 45}}, reward: {type: progress}}"),
+      learners::options(Mode::TRAINING));
+  EXPECT_EQ(rotationOf(learner), 0.0);
+  learner.setMode(Mode::DEMO);
+  EXPECT_NE(rotationOf(learner), 0.0);
+  learner.setMode(Mode::TRAINING);
+  EXPECT_EQ(rotationOf(learner), 0.0);
 }
 
 TEST(Gait, DeviatesOnlyWhereThereIsSpace) {

@@ -72,7 +72,9 @@ TEST(GoalRelativeActions, AgreesWithItsSpec) {
   EXPECT_EQ(specOf(with_time_gap), with_time_gap);
   const std::string with_anticipation = with_time_gap.substr(0, with_time_gap.size() - 1) + ", anticipation_time: 0.5}";
   EXPECT_EQ(specOf(with_anticipation), with_anticipation);
-  EXPECT_EQ(specOf(spec.substr(0, spec.size() - 1) + ", time_gap: 0}"), spec);  // off
+  EXPECT_EQ(specOf(spec.substr(0, spec.size() - 1) + ", time_gap: 0, anticipation_time: 1}"), spec);  // off
+  EXPECT_TRUE(contains(errorOf<InputError>([] { specOf("{type: goal_relative, anticipation_time: -1}"); }),
+                       "anticipation_time: expected a number of 0 or more"));
   const auto error = [](const std::string& yaml) { return errorOf<InputError>([&] { specOf(yaml); }); };
   EXPECT_TRUE(
       contains(error("{type: goal_relative, headings: [10, 0]}"), "headings[1]: expected a list of rising numbers"));

@@ -85,7 +85,8 @@ std::vector<Model> models() {
   const std::string goal_relative =
       "state_set: {type: anticipation}, action_set: {type: goal_relative, gap_sharing: moving}, ";
   const std::string human =
-      "state_set: {type: anticipation}, action_set: {type: goal_relative, time_gap: 1, time_gap_width: 0.8}, ";
+      "state_set: {type: anticipation}, action_set: {type: goal_relative, time_gap: 1, time_gap_width: 0.8, "
+      "anticipation_time: 1}, ";
   return {
       parseModel("{state_set: {type: nearest_obstacle}, " + thesis + "}"),
       parseModel("{state_set: {type: occupancy}, " + thesis + "}"),

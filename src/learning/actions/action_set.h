@@ -18,8 +18,8 @@ namespace crowd {
 /// @brief The moves that an agent can choose from at a tick. Immutable: any number of learners and threads may share
 /// one object, and all functions may be called concurrently.
 ///
-/// Call contract: the learner calls findMoves() before the state set, then relativeAction() or exactAction() for the
-/// chosen moves.
+/// Call contract: the learner calls findMoves() before the state set, then relativeAction() for the chosen moves; in
+/// training mode it calls both of whileLearning().
 ///
 /// Perceptions hold at most StateSet::maxNeighbours() neighbours, nearest rim first (up to rounding); an action set may
 /// rely on this order, and does not perceive further neighbours.
@@ -40,10 +40,10 @@ class ActionSet {
   virtual RelativeAction relativeAction(const Perception& /*seen*/, const MoveBlock* moves, Action action) const {
     return toAction(moveAt(moves, action));
   }
-  /// @brief The move itself, without what relativeAction() adds to it, such as a gait: what agents do while they learn.
-  virtual RelativeAction exactAction(const Perception& seen, const MoveBlock* moves, Action action) const {
-    return relativeAction(seen, moves, action);
-  }
+  /// @brief The set that agents use while they learn, for example without a gait; null if it is this one. Size, order
+  /// and mirror images of the actions, hasConstantMoves(), motion limits and spec() are as in this one, or those of
+  /// fewer keys.
+  virtual std::shared_ptr<const ActionSet> whileLearning() const { return nullptr; }
   /// @brief The limits of the changes of velocity that its agents are to have, see Vision::motion.
   virtual MotionLimits motion() const { return {}; }
   /// @brief Returns the action that is the same move with left and right exchanged.

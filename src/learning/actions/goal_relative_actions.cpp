@@ -98,18 +98,23 @@ void GoalRelativeActions::keepTimeGap(const PerceptionBatch& batch, MoveBlock* m
 
 RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const MoveBlock* moves,
                                                    Action action) const {
-  // An escape from a moving obstacle is carried out as it is.
-  if (!seen.motion.areOn() || seen.self.held || rule_.mustEscape(seen)) return exactAction(seen, moves, action);
-  const CandidateMove move = reachingGoal(moveAt(moves, action), seen);
+  const CandidateMove chosen = moveAt(moves, action);
+  if (!seen.motion.areOn()) return toAction(chosen);
+  if (seen.self.held) return rule_.actionTowards(seen, CandidateMove{Vector2::UnitX(), 0.0, 0.0});
+  if (rule_.mustEscape(seen)) return rule_.actionTowards(seen, chosen);  // as it is
+  const CandidateMove move = slows_at_goal_ ? reachingGoal(chosen, seen) : chosen;
   if (!parameters_.gait.isOn()) return rule_.actionTowards(seen, move);
   const CandidateMove deviated = deviate(move, parameters_.gait, seen);
   return rule_.actionTowards(seen, rule_.isFree(seen, deviated) ? deviated : move);
 }
 
-RelativeAction GoalRelativeActions::exactAction(const Perception& seen, const MoveBlock* moves, Action action) const {
-  const CandidateMove move = moveAt(moves, action);
-  if (!seen.motion.areOn()) return toAction(move);
-  return rule_.actionTowards(seen, seen.self.held ? CandidateMove{Vector2::UnitX(), 0.0, 0.0} : move);
+std::shared_ptr<const ActionSet> GoalRelativeActions::whileLearning() const {
+  Parameters parameters = parameters_;
+  parameters.gait = {};
+  parameters.anticipation_time = 0.0;
+  const auto actions = std::make_shared<GoalRelativeActions>(parameters);
+  actions->slows_at_goal_ = false;
+  return actions;
 }
 
 /// Absent while it is off: headers of tables stay as they were.

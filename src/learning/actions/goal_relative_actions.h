@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "avoidance/separation_rule.h"
@@ -35,7 +36,8 @@ class GoalRelativeActions : public ActionSet {
   Action size() const override { return static_cast<Action>(mirrored_.size()); }
   void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
   RelativeAction relativeAction(const Perception& seen, const MoveBlock* moves, Action action) const override;
-  RelativeAction exactAction(const Perception& seen, const MoveBlock* moves, Action action) const override;
+  /// @brief The same without gait and anticipation time; agents beside their goal do not slow down to reach it.
+  std::shared_ptr<const ActionSet> whileLearning() const override;
   MotionLimits motion() const override { return parameters_.motion; }
   Action mirrored(Action action) const override { return mirrored_[action]; }
   std::string spec() const override;
@@ -52,6 +54,7 @@ class GoalRelativeActions : public ActionSet {
   std::vector<MoveBlock> base_moves_;  // relative to the heading
   std::size_t turned_ = 0;             // number of moves, from the first, that are relative to the goal's bearing
   std::vector<Action> mirrored_;
+  bool slows_at_goal_ = true;  // see reachingGoal()
 };
 
 /// @brief Reads a map of the parameters, all optional. @throws InputError
