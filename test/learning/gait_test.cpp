@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "geometry/geometry.h"
 #include "learning/actions/goal_relative_actions.h"
@@ -73,6 +74,8 @@ std::string textOf(const std::string& yaml) { return toText(readGait(YAML::Load(
 TEST(Gait, IsRead) {
   EXPECT_EQ(textOf("{sway: 5, wander: 15, pace: 0.08}"), "{sway: 5, wander: 15, pace: 0.08}");
   EXPECT_EQ(textOf("{wander: 15}"), "{sway: 0, wander: 15, pace: 0}");
+  EXPECT_EQ(textOf("{shift: 0.2}"), "{sway: 0, wander: 0, pace: 0, shift: 0.2}");
+  EXPECT_TRUE(contains(errorOf<InputError>([] { textOf("{shift: 11}"); }), "gait.shift"));
   EXPECT_TRUE(contains(errorOf<InputError>([] { textOf("{sway: -1}"); }), "gait.sway"));
   EXPECT_TRUE(contains(errorOf<InputError>([] { textOf("{pace: 2}"); }), "gait.pace"));
   EXPECT_TRUE(contains(errorOf<InputError>([] { textOf("{sigh: 1}"); }), "sigh"));
@@ -128,6 +131,44 @@ TEST(Gait, BeginsAndEndsWithTheModeOfTheLearner) {
   EXPECT_NE(rotationOf(learner), 0.0);
   learner.setMode(Mode::TRAINING);
   EXPECT_EQ(rotationOf(learner), 0.0);
+}
+
+TEST(Gait, ShiftsAtItsRateInAllDirections) {
+  constexpr std::uint32_t MOVES = 4;
+  Gait gait;
+  EXPECT_FALSE(gait.shiftAt(agentOf(1), MOVES, 0, TICK).has_value());
+  gait.shift = 0.5;
+  std::array<int, MOVES> shifts{};
+  for (std::uint64_t agent = 0; agent < 200; ++agent) {
+    for (std::uint64_t tick = 0; tick < 1000; ++tick) {
+      const auto shift = gait.shiftAt(agentOf(agent), MOVES, tick, TICK);
+      ASSERT_EQ(shift, gait.shiftAt(agentOf(agent), MOVES, tick, TICK));
+      if (shift) ++shifts.at(*shift);
+    }
+  }
+  // Of 200,000 ticks one in 20 has a shift: 2,500 of each move, with a standard deviation below 50.
+  for (const int count : shifts) EXPECT_NEAR(count, 2500, 250);
+}
+
+/// Number of ticks, of 1000, in which an agent at rest does not answer as the chosen move says.
+int shiftsOf(double shift, bool is_blocked) {
+  GoalRelativeActions::Parameters parameters;
+  parameters.gait.shift = shift;
+  const GoalRelativeActions actions(parameters);
+  int shifts = 0;
+  for (std::uint64_t tick = 0; tick < 1000; ++tick) {
+    auto scene = PerceptionsBuilder(0, tick).agent(0, {5.0, 0.0}).speed(1.3).motion({3.0, 3.0, INFINITE});
+    if (is_blocked) scene.wall({0.251, -5.0}, {0.251, 5.0});
+    const RelativeAction action = relativeAction(actions, scene.perception(), 0);
+    if (action.rotation != 0.0) ++shifts;
+  }
+  return shifts;
+}
+
+TEST(Gait, OnlyAgentsThatStandShift) {
+  EXPECT_EQ(shiftsOf(0.0, true), 0);
+  EXPECT_EQ(shiftsOf(10.0, false), 0);
+  EXPECT_GT(shiftsOf(10.0, true), 500);  // in each tick; moves that are blocked, or to stay, turn nobody
 }
 
 TEST(Gait, DeviatesOnlyWhereThereIsSpace) {

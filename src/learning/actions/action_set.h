@@ -41,15 +41,15 @@ class ActionSet {
     return toAction(moveAt(moves, action));
   }
   /// @brief The set that agents use while they learn, for example without a gait; null if it is this one. Size, order
-  /// and mirror images of the actions, hasConstantMoves(), motion limits and spec() are as in this one, or those of
-  /// fewer keys.
+  /// and mirror images of the actions, hasConstantMoves() and motion limits are as in this one. It belongs to no model:
+  /// its spec() is not used.
   virtual std::shared_ptr<const ActionSet> whileLearning() const { return nullptr; }
   /// @brief The limits of the changes of velocity that its agents are to have, see Vision::motion.
   virtual MotionLimits motion() const { return {}; }
   /// @brief Returns the action that is the same move with left and right exchanged.
   virtual Action mirrored(Action action) const = 0;
-  /// @brief Name and parameters as one canonical line of YAML. Two sets with equal lines are the same set; Q-table
-  /// files are checked by it.
+  /// @brief Name and parameters as one canonical line of YAML. Two sets of models with equal lines are the same set;
+  /// Q-table files are checked by it.
   virtual std::string spec() const = 0;
 };
 

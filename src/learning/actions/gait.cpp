@@ -15,8 +15,9 @@ constexpr double LEAST = 0.3;        // of the deviations of an agent, as a fact
 constexpr double MOST = 1.7;
 
 constexpr NumberLimit DEVIATION{NumberRule::NOT_NEGATIVE, 45.0, "degrees"};
+constexpr NumberLimit RATE{NumberRule::NOT_NEGATIVE, 10.0, "1/s"};
 
-enum Series : std::uint64_t { EXTENT, SWAY, WANDER, PACE };
+enum Series : std::uint64_t { EXTENT, SWAY, WANDER, PACE, SHIFT };
 
 double valueAt(const KeyedRandom& series, std::uint64_t knot) { return series.with(knot).uniform(-1.0, 1.0); }
 
@@ -41,14 +42,24 @@ GaitDeviation Gait::at(const KeyedRandom& agent, double time) const {
           1.0 - std::min(0.9, extent * pace * 0.5 * (1.0 - slow))};
 }
 
-Gait readGait(const YAML::Node& node, const YamlPlace& place) {
-  const YamlMap map(node, place, {"sway", "wander", "pace"});
-  return {map.number("sway", DEVIATION, 0.0), map.number("wander", DEVIATION, 0.0),
-          map.number("pace", NumberRule::FRACTION, 0.0)};
+std::optional<std::uint32_t> Gait::shiftAt(const KeyedRandom& agent, std::uint32_t moves, std::uint64_t tick,
+                                           double duration) const {
+  if (shift <= 0.0) return std::nullopt;
+  KeyedRandom chance = agent.with(SHIFT).with(tick);
+  if (chance.uniform() >= shift * duration) return std::nullopt;
+  return chance.below(moves);
 }
 
+Gait readGait(const YAML::Node& node, const YamlPlace& place) {
+  const YamlMap map(node, place, {"sway", "wander", "pace", "shift"});
+  return {map.number("sway", DEVIATION, 0.0), map.number("wander", DEVIATION, 0.0),
+          map.number("pace", NumberRule::FRACTION, 0.0), map.number("shift", RATE, 0.0)};
+}
+
+/// The last key is absent while it is 0: headers of tables stay as they were.
 std::string toText(const Gait& gait) {
-  return "{sway: " + toText(gait.sway) + ", wander: " + toText(gait.wander) + ", pace: " + toText(gait.pace) + "}";
+  return "{sway: " + toText(gait.sway) + ", wander: " + toText(gait.wander) + ", pace: " + toText(gait.pace) +
+         (gait.shift > 0.0 ? ", shift: " + toText(gait.shift) : "") + "}";
 }
 
 }  // namespace crowd

@@ -8,6 +8,8 @@
 namespace crowd {
 namespace {
 
+constexpr double STANDING = 0.05;  // an agent with a smaller admissible fraction of its move stands
+
 /// Returns the unit vector towards the goal, agent frame; straight ahead if the agent is at the goal.
 Vector2 goalDirection(const Perception& perception) {
   const double distance = perception.self.goal.norm();
@@ -39,10 +41,13 @@ CandidateMove reachingGoal(const CandidateMove& move, const Perception& seen) {
   return {move.direction, move.wanted, std::min(move.fraction, fastest / seen.self.max_speed)};
 }
 
+KeyedRandom randomGaitOf(const Perception& seen) {
+  return {0, KeyedRandom::GAIT, {seen.episode, seen.self.agent}};
+}
+
 /// What becomes of a move by the gait of the agent.
 CandidateMove deviate(const CandidateMove& move, const Gait& gait, const Perception& seen) {
-  const GaitDeviation deviation =
-      gait.at(KeyedRandom(0, KeyedRandom::GAIT, {seen.episode, seen.self.agent}), seen.time);
+  const GaitDeviation deviation = gait.at(randomGaitOf(seen), seen.time);
   // The smaller the admissible fraction of the move, the less the heading deviates.
   const double turn = move.fraction * deviation.turn;
   return {Rotation(turn).outOfFrame(move.direction), move.wanted, deviation.pace * move.fraction};
@@ -102,6 +107,11 @@ RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const
   if (!seen.motion.areOn()) return toAction(chosen);
   if (seen.self.held) return rule_.actionTowards(seen, CandidateMove{Vector2::UnitX(), 0.0, 0.0});
   if (rule_.mustEscape(seen)) return rule_.actionTowards(seen, chosen);  // as it is
+  if (chosen.fraction < STANDING) {
+    const auto tick = static_cast<std::uint64_t>(std::llround(seen.time / seen.tick_duration));
+    const auto shift = parameters_.gait.shiftAt(randomGaitOf(seen), size(), tick, seen.tick_duration);
+    if (shift) return rule_.actionTowards(seen, moveAt(moves, *shift));
+  }
   const CandidateMove move = slows_at_goal_ ? reachingGoal(chosen, seen) : chosen;
   if (!parameters_.gait.isOn()) return rule_.actionTowards(seen, move);
   const CandidateMove deviated = deviate(move, parameters_.gait, seen);
