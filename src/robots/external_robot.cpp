@@ -3,7 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/limits.h"
+
 namespace crowd {
+namespace {
+
+bool isPlace(const Vector2& position) {
+  const double farthest = position.cwiseAbs().maxCoeff();
+  return position.allFinite() && farthest <= limits::PLACE.most;
+}
+
+}  // namespace
 
 void ExternalRobot::begin(double max_speed, double tick_duration) {
   max_speed_ = max_speed;
@@ -15,7 +25,7 @@ void ExternalRobot::begin(double max_speed, double tick_duration) {
 }
 
 std::optional<PoseProblem> ExternalRobot::take(const Pose& pose, double stamp) {
-  if (!pose.position.allFinite() || !std::isfinite(pose.heading) || !std::isfinite(stamp)) {
+  if (!isPlace(pose.position) || !std::isfinite(pose.heading) || !std::isfinite(stamp)) {
     ++counts_.not_finite;
     return PoseProblem::NOT_FINITE;
   }
@@ -43,7 +53,8 @@ std::optional<PoseProblem> ExternalRobot::take(const Pose& pose, double stamp) {
       jumped_ = true;  // it is not known where it was in between
       problem = PoseProblem::GAP;
     } else {
-      velocity_ = way / passed;
+      // Two stamps may be so close that the tolerance makes any speed of it.
+      velocity_ = way / std::max(passed, way.norm() / (JUMP_SPEED * max_speed_));
     }
   }
   ++counts_.taken;
@@ -61,7 +72,8 @@ std::optional<ExternalRobot::State> ExternalRobot::at(double time) {
   if (stale_ && !was_stale) ++counts_.stale;
   if (!stamp_) return std::nullopt;
   State state{pose_, stale_ ? Vector2(Vector2::Zero()) : velocity_, jumped_, stale_};
-  if (!stale_) state.pose.position += std::clamp(age, 0.0, tick_duration_) * velocity_;
+  const Vector2 moved_on = pose_.position + std::clamp(age, 0.0, tick_duration_) * velocity_;
+  if (!stale_ && isPlace(moved_on)) state.pose.position = moved_on;
   jumped_ = false;
   return state;
 }

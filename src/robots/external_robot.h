@@ -9,7 +9,7 @@ namespace crowd {
 
 /// @brief What is wrong with a pose of a robot that moves elsewhere.
 enum class PoseProblem : std::uint8_t {
-  NOT_FINITE = 0,  ///< ignored
+  NOT_FINITE = 0,  ///< or not within limits::PLACE; ignored
   BACKWARDS = 1,   ///< older than the last one; ignored, unless the last one is of a later clock
   JUMP = 2,        ///< too far from the last one for its greatest speed; used, without a motion between them
   GAP = 3,         ///< long after the last one; used, at a standstill, without a motion between them

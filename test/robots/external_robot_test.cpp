@@ -138,5 +138,26 @@ TEST(ExternalRobot, IgnoresBadPoses) {
   EXPECT_EQ(robot.counts().taken, 1U);
 }
 
+TEST(ExternalRobot, IgnoresPosesBeyondTheGreatestPlace) {
+  ExternalRobot robot = makeRobot();
+  for (const double far : {1e6 + 1.0, -1e308}) {
+    EXPECT_EQ(robot.take(at(far), 1.0), PoseProblem::NOT_FINITE);
+    EXPECT_EQ(robot.take({{0.0, far}, 0.0}, 1.0), PoseProblem::NOT_FINITE);
+  }
+  EXPECT_FALSE(robot.at(1.0).has_value());
+  // It does not move on beyond it either.
+  robot.take(at(1e6 - 0.04), 1.1);
+  robot.take(at(1e6), 1.2);
+  EXPECT_EQ(robot.at(1.25)->pose.position.x(), 1e6);
+}
+
+TEST(ExternalRobot, IsNotFasterThanWithoutAJump) {
+  // 0.09 m in a nanosecond is not a jump.
+  ExternalRobot robot = makeRobot();
+  robot.take(at(0.0), 1.0);
+  EXPECT_FALSE(robot.take(at(0.09), 1.0 + 1e-9));
+  EXPECT_NEAR(robot.at(1.0)->velocity.x(), ExternalRobot::JUMP_SPEED * 1.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace crowd::external_robot_test

@@ -7,16 +7,10 @@ import rospy
 import support
 from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import Odometry
-from robots import RobotTestCase, command, scenario
+from robots import RobotTestCase, command, poses_of, scenario
 from tf2_msgs.msg import TFMessage
 
 TICK = support.TICK
-COUNTS = ('poses_taken', 'poses_not_finite', 'poses_backwards', 'poses_without_frame')
-
-
-def poses_of(state):
-    """Returns the number of poses that arrived for a robot."""
-    return sum(getattr(state, name) for name in COUNTS)
 
 
 class PosesTestCase(RobotTestCase):

@@ -76,3 +76,8 @@ class RobotTestCase(support.CrowdTestCase):
 def commands_of(state):
     """Returns the number of commands that arrived for a robot."""
     return state.commands_taken + state.commands_not_finite + state.commands_of_others
+
+
+def poses_of(state):
+    """Returns the number of poses that arrived for a robot."""
+    return state.poses_taken + state.poses_not_finite + state.poses_backwards + state.poses_without_frame

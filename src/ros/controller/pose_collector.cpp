@@ -105,7 +105,8 @@ void PoseCollector::take(Source& source, const Pose& pose, const ros::Time& meas
   const std::string seconds = toFixedText(std::abs(gap), 2) + " s";
   switch (*problem) {
     case PoseProblem::NOT_FINITE:
-      return warn(source, Problem::NOT_FINITE, "is refused: expected finite numbers and a quaternion of length 1");
+      return warn(source, Problem::NOT_FINITE,
+                  "is refused: expected finite numbers, a place within 1e6 m, and a quaternion of length 1");
     case PoseProblem::BACKWARDS:
       return warn(source, Problem::BACKWARDS, "is refused: its stamp is " + seconds + " before that of the last one");
     case PoseProblem::JUMP:
