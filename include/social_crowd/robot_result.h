@@ -133,6 +133,7 @@ struct RobotResult {
   double avg_closest_person = NONE;  ///< mean of the distance to the nearest person minus that person's radius [m]
   double minimum_clearance = NONE;   ///< minimum of the distance to a person minus that person's radius [m]
   double minimum_time_to_collision = NONE;        ///< with people, at constant velocities [s]
+  double responsibility = NONE;                   ///< share of the robot in resolving conflicts with people
   double space_compliance = NONE;                 ///< share of the time with all people beyond 0.5 m
   double intimate_space_time = 0.0;               ///< nearest person nearer than 0.45 m [s]
   double personal_space_time = 0.0;               ///< nearest person nearer than 1.2 m [s]
@@ -213,6 +214,7 @@ struct RobotResult {
     visit(MetricName{"avg_closest_person", "m"}, results.avg_closest_person...);
     visit(MetricName{"minimum_clearance", "m"}, results.minimum_clearance...);
     visit(MetricName{"minimum_time_to_collision", "s"}, results.minimum_time_to_collision...);
+    visit(MetricName{"responsibility"}, results.responsibility...);
     visit(MetricName{"space_compliance"}, results.space_compliance...);
     visit(MetricName{"intimate_space_time", "s"}, results.intimate_space_time...);
     visit(MetricName{"personal_space_time", "s"}, results.personal_space_time...);

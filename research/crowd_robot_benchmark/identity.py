@@ -7,7 +7,7 @@ import typing
 from crowd_experiments.runs import RunError, output_of
 from crowd_experiments.scenario_files import files_behind
 
-FORMAT = 3  # of the results file
+FORMAT = 4  # of the results file
 DIGITS = 16  # of a digest
 VERSION = ('package', 'sources', 'compiler')  # words of `evaluate --version`
 

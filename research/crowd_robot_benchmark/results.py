@@ -45,23 +45,24 @@ def record_rows(file):
 
 
 def write_results(file, suite, inputs, robots):
-    """Writes the results of the finished runs of robots in all scenes. Returns the number of rows, and the digest of
-    the file."""
-    columns, lines = None, []
+    """Writes the results of the finished runs of robots in all scenes, and in CrowdNav's setting; episodes that are in
+    both once. Returns the number of rows, and the digest of the file."""
+    columns, lines = None, {}
     for robot in robots:
-        for scene in suite.scenes:
-            run = suite.run_of(robot, scene)
+        for keys, scene, run in suite.all_runs(robot):
             if not run.is_done():
                 continue
             columns, rows = record_rows(run.folder / RECORD)
-            lines += [[*inputs.identity(robot, ROBOTS[robot], scene, SEED, episode), *values]
-                      for episode, values in rows.items()]
+            baseline = ROBOTS[robot]._replace(keys={**ROBOTS[robot].keys, **keys})
+            for episode, values in rows.items():
+                identity = inputs.identity(robot, baseline, scene, SEED, episode)
+                lines.setdefault(identity.hash, [*identity, *values])
     if columns is None:
         raise RunError(f'{suite.output}: has no results')
     with replaced(file) as part, open(part, 'w', newline='', encoding='utf-8') as stream:
         writer = csv.writer(stream, lineterminator='\n')
         writer.writerow([*Identity._fields, *columns])
-        writer.writerows(lines)
+        writer.writerows(lines.values())
     return len(lines), file_digest(file)
 
 

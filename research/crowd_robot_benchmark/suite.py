@@ -86,6 +86,13 @@ class Suite(typing.NamedTuple):
         return {kind: self.run(robot, f'crowdnav_{kind}', CROWDNAV, keys, self.crowdnav_episodes)
                 for kind, keys in CROWDNAV_KEYS.items() if kind == VISIBLE or not ROBOTS[robot].keys}
 
+    def all_runs(self, robot):
+        """Yields the keys of the robot that change, the scene and the run, of all runs of a robot of ROBOTS."""
+        for scene in self.scenes:
+            yield {}, scene, self.run_of(robot, scene)
+        for kind, run in self.crowdnav_runs(robot).items():
+            yield CROWDNAV_KEYS[kind], CROWDNAV, run
+
     def run(self, robot, name, scene, keys, episodes):
         """Returns the run of a robot in a scene of which some keys of the robots are changed."""
         baseline = ROBOTS[robot]

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "robots/metrics/conflicts.h"
 #include "robots/metrics/interaction_force.h"
 #include "support/robot_logs.h"
 
@@ -53,6 +54,44 @@ TEST(RobotPeopleMetrics, SpeedsOfPeople) {
                                         tickAt(2, Pose(), {personAt(0, {2.0, 1.0}), personAt(1, {0.0, 3.0})})});
   EXPECT_NEAR(result.avg_pedestrian_velocity, (1.0 + 0.0 + 0.0 + 2.0) / 4.0, 1e-12);
   EXPECT_NEAR(result.avg_closest_pedestrian_velocity, (1.0 + 0.0) / 2.0, 1e-12);
+}
+
+TEST(RobotPeopleMetrics, ResolvedConflicts) {
+  // Head-on at 1 m/s each, 4 m apart, radii of 0.5 m together: they would overlap by 0.5 m.
+  const Vector2 offset(4.0, 0.0);
+  const auto resolved = [&](const Vector2& robot, const Vector2& person) {
+    return resolvedConflict(offset, {{1.0, 0.0}, robot}, {{-1.0, 0.0}, person}, 0.5);
+  };
+  // One of them turns aside by 0.1 m/s: they pass at 4 * 0.1 / sqrt(4.01) = 0.199750 m.
+  EXPECT_NEAR(resolved({1.0, 0.1}, {-1.0, 0.0}).by_robot, 0.199750, 1e-6);
+  EXPECT_EQ(resolved({1.0, 0.1}, {-1.0, 0.0}).by_people, 0.0);
+  EXPECT_NEAR(resolved({1.0, 0.0}, {-1.0, 0.1}).by_people, 0.199750, 1e-6);
+  EXPECT_EQ(resolved({1.0, 0.0}, {-1.0, 0.1}).by_robot, 0.0);
+  // Both to their right: 4 * 0.2 / sqrt(4.04) = 0.398015 m, half each.
+  EXPECT_NEAR(resolved({1.0, -0.1}, {-1.0, 0.1}).by_robot, 0.199007, 1e-6);
+  EXPECT_NEAR(resolved({1.0, -0.1}, {-1.0, 0.1}).by_people, 0.199007, 1e-6);
+  // Both to the same side: nothing is resolved. A conflict that begins, or is later than 5 s, does not count.
+  EXPECT_EQ(resolved({1.0, 0.1}, {-1.0, 0.1}).by_robot, 0.0);
+  EXPECT_EQ(resolvedConflict(offset, {{0.0, 1.0}, {1.0, 0.0}}, {{-1.0, 0.0}, {-1.0, 0.0}}, 0.5).by_robot, 0.0);
+  EXPECT_EQ(resolvedConflict({11.0, 0.0}, {{1.0, 0.0}, {1.0, 1.0}}, {{-1.0, 0.0}, {-1.0, 0.0}}, 0.5).by_robot, 0.0);
+  const Vector2 unknown(NAN, NAN);
+  EXPECT_EQ(resolvedConflict(offset, {unknown, {1.0, 1.0}}, {{-1.0, 0.0}, {-1.0, 0.0}}, 0.5).by_robot, 0.0);
+}
+
+TEST(RobotPeopleMetrics, Responsibility) {
+  // They meet head-on at 1 m/s each; in the third tick of 0.1 s each steps aside as far as given [m].
+  const auto meet = [](double robot, double person) {
+    return scoreOf(headerTo({9.0, 0.0}, 0.1),
+                   std::vector<RobotLogTick>{tickAt(0, {{0.0, 0.0}, 0.0}, {personAt(4, {5.0, 0.0})}),
+                                             tickAt(1, {{0.1, 0.0}, 0.0}, {personAt(4, {4.9, 0.0})}),
+                                             tickAt(2, {{0.2, 0.0}, 0.0}, {personAt(4, {4.8, 0.0})}),
+                                             tickAt(3, {{0.3, robot}, 0.0}, {personAt(4, {4.7, person})})})
+        .responsibility;
+  };
+  EXPECT_NEAR(meet(0.0, 0.02), 0.0, 1e-12);
+  EXPECT_NEAR(meet(-0.02, 0.0), 1.0, 1e-12);
+  EXPECT_NEAR(meet(-0.02, 0.02), 0.5, 1e-12);
+  EXPECT_TRUE(std::isnan(meet(0.0, 0.0)));
 }
 
 TEST(RobotPeopleMetrics, SocialForces) {

@@ -330,6 +330,11 @@ class RobotBenchmarkTest:
         assert numpy.array_equal(unseen['people_contacts'], unseen[CAUSES].sum(axis=1))
         assert not numpy.array_equal(unseen['minimum_clearance'], record['minimum_clearance'])
         assert 'perceived: false' in read_text(runner.path('results/scenarios/perceived_false/robot_circle_5.yaml'))
+        results = runner.path('results/results.csv')
+        assert [row['keys'] for row in rows_of_csv(results)] == ['{}'] * 5 + ['{"perceived": false}'] * 3
+        same = self.verify(runner, results, '--rows', 'all')
+        assert same.wait() == 0, same.output()
+        assert_says(same.output(), '8 rows repeated: 8 are the same, bit for bit\n')
         again = self.benchmark(runner, '--table', '--episodes', '2', '--crowdnav-episodes', '3')
         assert again.wait() == 0, again.output()
         assert_says(again.output(), 'tug', 'straight')

@@ -33,6 +33,8 @@ struct RobotSample {
   double group_distance = NONE;            ///< to the nearest space of a group [m]
   bool in_group = false;                   ///< it is between the members of a group
   double time_to_collision = NONE;         ///< with people, at constant velocities; NaN: never [s]
+  double conflict_by_robot = 0.0;          ///< resolved by its change of velocity, see resolvedConflict() [m]
+  double conflict_by_people = 0.0;         ///< resolved by people's changes of velocity [m]
   double obstacle_clearance = NONE;        ///< to the nearest wall or obstacle [m]
   std::uint64_t people_contacts = 0;       ///< number of people with whom it is in contact
   bool at_wall = false;                    ///< within 1 mm
@@ -67,6 +69,8 @@ struct RobotSample {
     visit(MetricName{"group_distance", "m"}, sample.group_distance);
     visit(MetricName{"in_group"}, sample.in_group);
     visit(MetricName{"time_to_collision", "s"}, sample.time_to_collision);
+    visit(MetricName{"conflict_by_robot", "m"}, sample.conflict_by_robot);
+    visit(MetricName{"conflict_by_people", "m"}, sample.conflict_by_people);
     visit(MetricName{"obstacle_clearance", "m"}, sample.obstacle_clearance);
     visit(MetricName{"people_contacts"}, sample.people_contacts);
     visit(MetricName{"at_wall"}, sample.at_wall);

@@ -39,6 +39,7 @@ double infiniteAsNone(double value) { return std::isinf(value) ? RobotSample::NO
 
 void RobotSampler::begin(const ObservedScene& scene) {
   groups_.observe(scene);
+  conflicts_.observe(scene);
   force_on_people_.reset();
 }
 
@@ -53,6 +54,10 @@ RobotSample RobotSampler::measureStart(const ObservedScene& scene, RobotId id) {
 RobotSample RobotSampler::measure(const ObservedScene& scene, RobotId id, const RobotSample& before, std::size_t goal) {
   RobotSample sample = follow(scene, id, before);
   measureEncounters(scene, id, goal, sample);
+  if (sample.impact) return sample;
+  const auto resolved = conflicts_.resolved(scene, *scene.robots[id].robot, {before.velocity, sample.velocity});
+  sample.conflict_by_robot = resolved.by_robot;
+  sample.conflict_by_people = resolved.by_people;
   return sample;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "robots/metrics/conflicts.h"
 #include "robots/metrics/group_space.h"
 #include "robots/metrics/observed_scene.h"
 #include "robots/metrics/robot_sample.h"
@@ -31,6 +32,7 @@ class RobotSampler {
   void measureClearance(const ObservedScene& scene, const Robot& robot, RobotSample& sample);
 
   GroupSpaces groups_;
+  Conflicts conflicts_;
   Surroundings surroundings_;
   std::optional<double> force_on_people_;  // of walls and obstacles, mean over the people, once asked for [m/s^2]
 };

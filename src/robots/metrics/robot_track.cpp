@@ -134,6 +134,8 @@ void RobotTrack::addPeople(const RobotSample& sample) {
   addNumber(sample.people_clearance, people_clearance_);
   addNumber(sample.time_to_collision, time_to_collision_);
   addNumber(sample.nearest_person_speed, nearest_speed_);
+  conflicts_by_robot_ += sample.conflict_by_robot;
+  conflicts_by_people_ += sample.conflict_by_people;
   people_speed_ += sample.people > 0 ? sample.people_speed : 0.0;
   people_ += sample.people;
   near_ticks_ += sample.nearest_person < COMPLIANT_DISTANCE ? 1 : 0;

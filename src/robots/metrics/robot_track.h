@@ -131,6 +131,8 @@ class RobotTrack {
   Statistic people_clearance_;
   Statistic time_to_collision_;
   Statistic nearest_speed_;
+  double conflicts_by_robot_ = 0.0;  // resolved [m]
+  double conflicts_by_people_ = 0.0;
   double people_speed_ = 0.0;  // sum over people and ticks [m/s]
   std::uint64_t people_ = 0;   // the same of their numbers
   std::uint64_t near_ticks_ = 0;

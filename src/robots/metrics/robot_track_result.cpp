@@ -18,7 +18,7 @@ double weighted(bool success, double least, double taken) {
   return taken > least ? least / taken : 1.0;
 }
 
-double ratioOf(double length, double shortest) { return shortest > 0.0 ? length / shortest : RobotResult::NONE; }
+double ratioOf(double part, double whole) { return whole > 0.0 ? part / whole : RobotResult::NONE; }
 
 }  // namespace
 
@@ -96,6 +96,7 @@ void RobotTrack::writePeople(RobotResult& result) const {
   result.avg_closest_person = nearest_clearance_.mean();
   result.minimum_clearance = people_clearance_.least();
   result.minimum_time_to_collision = time_to_collision_.least();
+  result.responsibility = ratioOf(conflicts_by_robot_, conflicts_by_robot_ + conflicts_by_people_);
   if (ticks_ > 0) result.space_compliance = static_cast<double>(ticks_ - near_ticks_) / static_cast<double>(ticks_);
   result.intimate_space_time = seconds(spaces_.intimate);
   result.personal_space_time = seconds(spaces_.personal);
