@@ -41,9 +41,7 @@ CandidateMove reachingGoal(const CandidateMove& move, const Perception& seen) {
   return {move.direction, move.wanted, std::min(move.fraction, fastest / seen.self.max_speed)};
 }
 
-KeyedRandom randomGaitOf(const Perception& seen) {
-  return {0, KeyedRandom::GAIT, {seen.episode, seen.self.agent}};
-}
+KeyedRandom randomGaitOf(const Perception& seen) { return {0, KeyedRandom::GAIT, {seen.episode, seen.self.agent}}; }
 
 /// What becomes of a move by the gait of the agent.
 CandidateMove deviate(const CandidateMove& move, const Gait& gait, const Perception& seen) {
