@@ -9,7 +9,7 @@ from crowd_experiments.arguments import add_file, parser_of
 from crowd_experiments.pages import Chapter, write_page
 from crowd_report.figures import draw_paths, draw_separations, draw_speeds, scenario_of
 from crowd_report.tables import (HEADERS, LOG, METRICS, RECORD, ROBOTS, TRAJECTORIES, comparison_rows, metrics_rows,
-                                 of_kind, robot_rows, source_of)
+                                 of_kind, robot_field_rows, robot_rows, source_of)
 
 EXAMPLES = '''examples:
   for table in anticipation human; do mkdir -p $table
@@ -41,6 +41,7 @@ def chapters_of(sources, training, folder):
         robots.add_text('Means of the episodes ± half of the 95 % confidence interval (t), without episodes in which a '
                         'number was not measured. docs/metrics.md defines them.')
         robots.add_table('Metrics of robots', *robot_rows(robot_groups))
+        robots.add_table('All fields, over all scenarios', *robot_field_rows(robot_groups))
     learning = Chapter('learning', 'Learning curves')
     for kind in dict.fromkeys(source.kind for source in training):  # logs and records have other columns
         runs = [read_run(source.label, source.file) for source in training if source.kind == kind]

@@ -98,6 +98,17 @@ def robot_rows(groups):
     return ['', 'scenario', 'robot', 'episodes', *(title for _, title, _, _ in ROBOT_COLUMNS)], rows
 
 
+def robot_field_rows(groups):
+    """Returns header and rows of all numbers of the records of robots, in their order, with the means over all
+    episodes of each label."""
+    records = [pandas.concat(map(columns_of, sources)).drop(columns=['episode']) for sources in groups.values()]
+    numbers = [values.select_dtypes('number') for values in records]
+    fields = list(dict.fromkeys(field for values in numbers for field in values))
+    rows = [[field, *(metric_cell(values.get(field, pandas.Series(dtype=float)), 3) for values in numbers)]
+            for field in fields]
+    return ['field', *groups], rows
+
+
 def metric_cell(values, decimals):
     mean, low, _ = mean_interval(values[numpy.isfinite(values)])
     if not numpy.isfinite(mean):

@@ -13,8 +13,8 @@ import numpy
 import pytest
 from crowd_drawing.errors import InputError
 from crowd_report.figures import scenario_of, scene_of, separations, speed_by_density, speeds_and_densities, tracks_of
-from crowd_report.tables import (METRICS, RECORD, ROBOTS, comparison_rows, metrics_rows, of_kind, robot_rows, samples,
-                                 source_of)
+from crowd_report.tables import (METRICS, RECORD, ROBOTS, comparison_rows, metrics_rows, of_kind, robot_field_rows,
+                                 robot_rows, samples, source_of)
 from learning_files import config_text
 from programs import ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, PATIENCE, assert_says, in_package, page_text, read_text
 
@@ -126,6 +126,16 @@ class TableTest:
         assert header[:7] == ['', 'scenario', 'robot', 'episodes', 'success [%]', 'SPL', 'STL']
         assert rows == [['a', 'hall', 'tug', '3', '66.7 ± 143.4', '0.53 ± 1.17', '-', '21.0 ± 12.7', '-', '1.00 ± 4.30',
                          *['-'] * (len(header) - 10)]]
+
+    def test_robot_fields(self, runner):
+        """All numbers of the record. Of one episode there is no interval."""
+        groups = self.sources(runner, ROBOTS_FILE.replace('%', '%%'), a=((),))
+        groups['b'] = [groups['a'][0]._replace(file=runner.write('b.csv', ROBOTS_FILE[:ROBOTS_FILE.index('1,hall')]))]
+        header, rows = robot_field_rows(groups)
+        assert header == ['field', 'a', 'b']
+        assert [row[0] for row in rows] == ['success', 'timeout', 'spl', 'time_to_reach_goal', 'people_contacts']
+        assert rows[2] == ['spl', '0.533 ± 1.174', '0.900']
+        assert rows[4] == ['people_contacts', '1.000 ± 4.303', '0.000']
 
     def test_samples(self, runner):
         """Of one file: the episodes. Of several: the files. Values that are not finite are left out."""
