@@ -15,6 +15,7 @@ CHECKS = ['ticks_move', 'pause_stops_them_and_step_makes_one', 'a_click_adds_a_p
           'the_recent_past', 'a_recording_is_scrubbed', 'keys_and_layers', 'another_scenario',
           'no_errors_in_the_console']
 PAGE = pathlib.Path(in_package('web'))
+BUILT = ['index.html', 'main.js', 'style.css', 'wasm_worker.js']
 
 
 @pytest.fixture(scope='module')
@@ -64,5 +65,7 @@ def test_the_built_page_is_that_of_its_sources(tmp_path):
         done = subprocess.run(['npm', 'run', step], cwd=tmp_path / 'web', stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, timeout=5 * PATIENCE, check=False)
         assert done.returncode == 0, done.stdout.decode()
-    for file in ('index.html', 'main.js', 'style.css'):
-        assert filecmp.cmp(tmp_path / 'web' / 'dist' / file, PAGE / 'dist' / file, shallow=False), file
+    made = tmp_path / 'web/dist'
+    assert sorted(file.name for file in made.iterdir()) == BUILT
+    for name in BUILT:
+        assert filecmp.cmp(made / name, PAGE / 'dist' / name, shallow=False), name
