@@ -1,6 +1,7 @@
-// Measures how fast the page is drawn in Chromium without a graphics card, while the crowd of a server walks.
+// Measures how fast the page is drawn in Chromium without a graphics card, while a crowd walks.
 // usage: node page_speed.mjs ADDRESS [SECONDS] [EXPRESSION TO EVALUATE FIRST]
-// Prints frames in a second, and the processor time of the browser for each: on a busy machine the second tells more.
+// Prints simulated seconds in a second, frames in a second, and the processor time of the browser for each frame: on a
+// busy machine the last tells more.
 import {readdirSync, readFileSync} from 'node:fs';
 import {launchBrowser, openPage, PATIENCE} from './browser.mjs';
 
@@ -32,12 +33,15 @@ try {
   await page.evaluate('socialCrowd.send({command: "play"})');
   await page.waitForFunction('socialCrowd.status?.playing', {timeout: PATIENCE});
   const look = async () => ({frame: await page.evaluate('socialCrowd.picture.view.renderer.info.render.frame'),
-    time: performance.now() / 1000, processor: processorTime(browser.process().pid)});
+    people: await page.evaluate('socialCrowd.picture.crowd.count'),
+    walked: await page.evaluate('socialCrowd.status.time'), time: performance.now() / 1000,
+    processor: processorTime(browser.process().pid)});
   const begin = await look();
   await new Promise((resolve) => setTimeout(resolve, 1000 * Number(seconds)));
   const end = await look();
   const frames = end.frame - begin.frame;
-  console.log(`${await page.evaluate('socialCrowd.picture.crowd.count')} people: ` +
+  console.log(`${begin.people} to ${end.people} people: ` +
+    `${((end.walked - begin.walked) / (end.time - begin.time)).toFixed(2)} times real time, ` +
     `${(frames / (end.time - begin.time)).toFixed(1)} frames/s, ` +
     `${(1000 * (end.processor - begin.processor) / frames).toFixed(0)} ms of processor time a frame`);
 } finally {
