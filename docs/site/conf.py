@@ -71,8 +71,16 @@ def experiments():
     return toctree('Experiments', pages_in('research/docs/thesis'))
 
 
+def try_it():
+    """Returns a link to the page without a server, if it is part of the site."""
+    if not os.environ.get('BROWSER_PAGE'):
+        return ''
+    return '\n<a href="../../browser/index.html?source=wasm">Try it: walk a crowd in this browser</a>\n'
+
+
 def gallery():
-    """Returns the pictures of the README and of docs/ but charts, each with its longest description and its page."""
+    """Returns the link to try it, and the pictures of the README and of docs/ but charts, each with its longest
+    description and its page."""
     found = {}
     for page in [REPOSITORY / 'README.md', *sorted(REPOSITORY.glob('docs/*.md'))]:
         for text, picture in PICTURE.findall(read(page)):
@@ -80,7 +88,7 @@ def gallery():
             if page.name != 'performance.md' and len(text) > len(found.get(path, ('', ''))[0]):
                 found[path] = text, os.path.relpath(page, REPOSITORY)
     figures = (f'```{{figure}} /{path}\n[{text}](/{page})\n```\n' for path, (text, page) in found.items())
-    return f'\n````{{container}} gallery\n{"".join(figures)}````\n'
+    return f'{try_it()}\n````{{container}} gallery\n{"".join(figures)}````\n'
 
 
 def headers():

@@ -24,18 +24,30 @@ class Page(html.parser.HTMLParser):
         self.links += [attributes[name] for name in ('href', 'src') if attributes.get(name)]
 
 
-def test_site(tmp_path):
-    """Guide, API and gallery are there; links within the site are those of files and sections."""
+def build_with_a_page(folder):
+    """Returns a build folder in which `scripts/web build` seems to have been run."""
+    page = folder / 'web/page'
+    page.mkdir(parents=True)
+    for name in ('index.html', 'social_crowd.js'):
+        (page / name).touch()
+    (folder / 'devel').symlink_to(tools_folder().partition('/devel/')[0] + '/devel')
+    return folder
+
+
+def test_site(tmp_path_factory):
+    """Guide, API, gallery and the page to try it are there; links within the site are those of files and sections."""
     for module in ('social_crowd._core', 'breathe', 'furo', 'myst_parser', 'sphinx_copybutton'):
         pytest.importorskip(module)  # of `scripts/install_dependencies site`
-    environment = {**os.environ, 'SOCIAL_CROWD_BUILD': tools_folder().partition('/devel/')[0]}
-    done = subprocess.run([in_package('scripts/site'), '--output', tmp_path], env=environment, check=False,
+    site = tmp_path_factory.mktemp('site')
+    environment = {**os.environ, 'SOCIAL_CROWD_BUILD': build_with_a_page(tmp_path_factory.mktemp('build'))}
+    done = subprocess.run([in_package('scripts/site'), '--output', site], env=environment, check=False,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding='utf-8')
     assert done.returncode == 0, done.stdout
-    pages = {file: Page(file) for file in tmp_path.rglob('*.html')}
+    pages = {file: Page(file) for file in site.rglob('*.html')}
     assert {'index.html', 'gallery.html', 'cpp.html', 'python.html', 'robots.html'} <= {file.name for file in pages}
-    for name, declared in (('cpp', 'Episode'), ('python', 'VecEnv'), ('gallery', 'film_station')):
-        assert declared in (tmp_path / f'docs/site/{name}.html').read_text(encoding='utf-8')
+    for name, declared in (('cpp', 'Episode'), ('python', 'VecEnv'), ('gallery', 'film_station'),
+                           ('gallery', 'browser/index.html')):
+        assert declared in (site / f'docs/site/{name}.html').read_text(encoding='utf-8')
     broken = []
     for file, page in pages.items():
         for link in page.links:
@@ -44,5 +56,5 @@ def test_site(tmp_path):
             if '://' in link or link.startswith(('data:', 'mailto:')):
                 continue
             if not target.exists() or (anchor and target in pages and anchor not in pages[target].anchors):
-                broken.append(f'{file.relative_to(tmp_path)}: {link}')
+                broken.append(f'{file.relative_to(site)}: {link}')
     assert not broken
