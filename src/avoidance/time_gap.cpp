@@ -45,13 +45,17 @@ void TimeGap::cut(const Perception& perception, MoveBlock* moves, std::size_t co
     const double opening = anticipation_time_ * other.position.dot(other.velocity);  // times the distance [m2]
     for (std::size_t block = 0; block < blocksOf(count); ++block) {
       if (opening <= 0.0) {
-        limit(leader, [now](double) { return now; }, moves[block]);
+        limit(
+            leader, [now](double) { return now; }, moves[block]);
       } else {
         // At the fraction f the gap is later_gap - f * own_way * cosine after the anticipation time, and has to be f *
         // walked.
         const double later_gap = gap + opening / distance;
-        const auto later = [=](double ahead) { return later_gap / (walked_ + own_way * (std::max(0.0, ahead) / distance)); };
-        limit(leader, [=](double ahead) { return std::max(now, later(ahead)); }, moves[block]);
+        const auto later = [=](double ahead) {
+          return later_gap / (walked_ + own_way * (std::max(0.0, ahead) / distance));
+        };
+        limit(
+            leader, [=](double ahead) { return std::max(now, later(ahead)); }, moves[block]);
       }
     }
   }

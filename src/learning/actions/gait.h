@@ -26,8 +26,8 @@ struct Gait {
   bool isOn() const { return sway > 0.0 || wander > 0.0 || pace > 0.0 || shift > 0.0; }
   /// @param agent random numbers of this agent in this episode @param time of the episode [s]
   GaitDeviation at(const KeyedRandom& agent, double time) const;
-  /// @brief The random move that an agent makes in a tick if it stands; nothing in most ticks. So crowds in which nobody
-  /// moves because each would choose the same move again do not stay as they are.
+  /// @brief The random move that an agent makes in a tick if it stands; nothing in most ticks. So crowds in which
+  /// nobody moves because each would choose the same move again do not stay as they are.
   /// @param agent as in at() @param moves number of moves to draw from @param tick its number @param duration of it [s]
   std::optional<std::uint32_t> shiftAt(const KeyedRandom& agent, std::uint32_t moves, std::uint64_t tick,
                                        double duration) const;
