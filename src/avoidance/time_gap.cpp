@@ -11,20 +11,22 @@ struct Leader {
   double half_width;  // of moves that it limits [m]
 };
 
-/// Limits the moves of a block that have a leader ahead.
+/// Limits those of the first `count` moves that have a leader ahead.
 /// @param admissible returns the admissible fraction of a move; its argument is the component of the move towards the
 /// leader, times the distance of the leader [m]
 template <typename Admissible>
-void limit(const Leader& leader, const Admissible& admissible, MoveBlock& moves) {
+void limit(const Leader& leader, const Admissible& admissible, MoveBlock* moves, std::size_t count) {
   const double x = leader.position.x();
   const double y = leader.position.y();
-  for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
-    const double ahead = moves.x[i] * x + moves.y[i] * y;
-    const double aside = moves.x[i] * y - moves.y[i] * x;
-    const double most = admissible(ahead);
-    const bool limited =
-        (ahead > 0.0) & (aside < leader.half_width) & (-aside < leader.half_width) & (moves.fraction[i] > most);
-    moves.fraction[i] = limited ? most : moves.fraction[i];
+  for (MoveBlock* block = moves; block != moves + blocksOf(count); ++block) {
+    for (std::size_t i = 0; i < MoveBlock::SIZE; ++i) {
+      const double ahead = block->x[i] * x + block->y[i] * y;
+      const double aside = block->x[i] * y - block->y[i] * x;
+      const double most = admissible(ahead);
+      const bool limited =
+          (ahead > 0.0) & (aside < leader.half_width) & (-aside < leader.half_width) & (block->fraction[i] > most);
+      block->fraction[i] = limited ? most : block->fraction[i];
+    }
   }
 }
 
@@ -43,20 +45,18 @@ void TimeGap::cut(const Perception& perception, MoveBlock* moves, std::size_t co
     if (now >= 1.0) continue;
     const Leader leader{other.position, width_ * touching};
     const double opening = anticipation_time_ * other.position.dot(other.velocity);  // times the distance [m2]
-    for (std::size_t block = 0; block < blocksOf(count); ++block) {
-      if (opening <= 0.0) {
-        limit(
-            leader, [now](double) { return now; }, moves[block]);
-      } else {
-        // At the fraction f the gap is later_gap - f * own_way * cosine after the anticipation time, and has to be f *
-        // walked.
-        const double later_gap = gap + opening / distance;
-        const auto later = [=](double ahead) {
-          return later_gap / (walked_ + own_way * (std::max(0.0, ahead) / distance));
-        };
-        limit(
-            leader, [=](double ahead) { return std::max(now, later(ahead)); }, moves[block]);
-      }
+    if (opening <= 0.0) {
+      const auto admissible = [now](double) { return now; };
+      limit(leader, admissible, moves, count);
+    } else {
+      // At the fraction f the gap is later_gap - f * own_way * cosine after the anticipation time, and has to be f *
+      // walked.
+      const double later_gap = gap + opening / distance;
+      const auto admissible = [&](double ahead) {
+        const double cosine = std::max(0.0, ahead) / distance;
+        return std::max(now, later_gap / (walked_ + own_way * cosine));
+      };
+      limit(leader, admissible, moves, count);
     }
   }
 }
