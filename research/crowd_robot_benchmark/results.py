@@ -56,7 +56,7 @@ def write_results(file, suite, inputs, robots):
             baseline = ROBOTS[robot]._replace(keys={**ROBOTS[robot].keys, **keys})
             for episode, values in rows.items():
                 identity = inputs.identity(robot, baseline, scene, SEED, episode)
-                lines.setdefault(identity.hash, [*identity, *values])
+                lines.setdefault((robot, identity.hash), [*identity, *values])
     if columns is None:
         raise RunError(f'{suite.output}: has no results')
     with replaced(file) as part, open(part, 'w', newline='', encoding='utf-8') as stream:

@@ -9,6 +9,7 @@ from crowd_film.program import Settings, make
 from crowd_recordings.formats import read_shown
 
 from .measures import CONTACTS
+from .suite import ROBOTS
 
 SHOWN = 5  # worst episodes of a robot
 HEADER = ['scene', 'episode', 'contacts', 'arrived', 'time [s]', 'personal space [s]', 'hash']
@@ -39,10 +40,12 @@ def cells_of(row, values):
 
 
 def worst_chapter(suite, columns, rows, films, folder):
-    """Returns the chapter of the worst episodes, with so many films of each robot, which are made in a folder."""
+    """Returns the chapter of the worst episodes, with so many films of each robot, which are made in a folder; without
+    those of robots that people do not perceive."""
     chapter = Chapter('worst', 'Worst episodes')
     chapter.add_text('By contacts, then failures, then the time in which a person was nearer than 1.2 m; one '
                      'episode of a scene at most.')
+    rows = [row for row in rows if json.loads(row.identity.keys) == ROBOTS[row.identity.baseline].keys]
     for robot in dict.fromkeys(row.identity.baseline for row in rows):
         worst = worst_rows(columns, [row for row in rows if row.identity.baseline == robot])
         chapter.add_table(robot, HEADER, [cells_of(*found) for found in worst])

@@ -101,7 +101,8 @@ def robot_rows(groups):
 def robot_field_rows(groups):
     """Returns header and rows of all numbers of the records of robots, in their order, with the means over all
     episodes of each label."""
-    records = [pandas.concat(map(columns_of, sources)).drop(columns=['episode']) for sources in groups.values()]
+    named = ['episode', 'scenario', 'robot']
+    records = [pandas.concat(map(columns_of, sources)).drop(columns=named) for sources in groups.values()]
     numbers = [values.select_dtypes('number') for values in records]
     fields = list(dict.fromkeys(field for values in numbers for field in values))
     rows = [[field, *(metric_cell(values.get(field, pandas.Series(dtype=float)), 3) for values in numbers)]

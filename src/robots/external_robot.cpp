@@ -54,7 +54,8 @@ std::optional<PoseProblem> ExternalRobot::take(const Pose& pose, double stamp) {
       problem = PoseProblem::GAP;
     } else {
       // Two stamps may be so close that the tolerance makes any speed of it.
-      velocity_ = way / std::max(passed, way.norm() / (JUMP_SPEED * max_speed_));
+      const double fastest = std::min(JUMP_SPEED * max_speed_, limits::VELOCITY.most);
+      velocity_ = way / std::max(passed, way.norm() / fastest);
     }
   }
   ++counts_.taken;

@@ -36,7 +36,7 @@ class ExternalRobot {
   /// @brief Where the robot is at a time.
   struct State {
     Pose pose;                           ///< in `map`
-    Vector2 velocity = Vector2::Zero();  ///< `map` [m/s]
+    Vector2 velocity = Vector2::Zero();  ///< `map`, at most JUMP_SPEED times the greatest speed [m/s]
     bool jumped = false;                 ///< it did not move there since the last call
     bool stale = false;                  ///< the stamp of its last pose is not within MAX_GAP of the time
   };
@@ -50,8 +50,8 @@ class ExternalRobot {
   /// @brief Takes a pose in `map` that was measured at `stamp` [s]. A pose with the stamp of the last one is ignored.
   /// @return what is wrong with it
   std::optional<PoseProblem> take(const Pose& pose, double stamp);
-  /// @brief The state at a time [s]: the last pose, moved on with its velocity for at most one tick; at a standstill if
-  /// it is stale. Empty before the first pose.
+  /// @brief The state at a time [s]: the last pose, moved on with its velocity for at most one tick, unless that is
+  /// beyond limits::PLACE; at a standstill if it is stale. Empty before the first pose.
   std::optional<State> at(double time);
 
   const PoseCounts& counts() const { return counts_; }

@@ -157,6 +157,11 @@ TEST(ExternalRobot, IsNotFasterThanWithoutAJump) {
   robot.take(at(0.0), 1.0);
   EXPECT_FALSE(robot.take(at(0.09), 1.0 + 1e-9));
   EXPECT_NEAR(robot.at(1.0)->velocity.x(), ExternalRobot::JUMP_SPEED * 1.0, 1e-9);
+  // Nor than any body may be.
+  ExternalRobot fast(1e3, 0.1);
+  fast.take(at(0.0), 1.0);
+  EXPECT_FALSE(fast.take(at(0.09), 1.0 + 1e-9));
+  EXPECT_NEAR(fast.at(1.0)->velocity.x(), 1e3, 1e-9);
 }
 
 }  // namespace

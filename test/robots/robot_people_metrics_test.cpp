@@ -94,6 +94,26 @@ TEST(RobotPeopleMetrics, Responsibility) {
   EXPECT_TRUE(std::isnan(meet(0.0, 0.0)));
 }
 
+TEST(RobotPeopleMetrics, ResponsibilityLeavesOutWhoseVelocityIsNotKnown) {
+  // The robot drives at 1 m/s; somebody appears 2 m ahead, and walks aside from the next tick on.
+  const std::vector<RobotLogTick> ticks = {tickAt(0, {{0.0, 0.0}, 0.0}, {}), tickAt(1, {{0.1, 0.0}, 0.0}, {}),
+                                           tickAt(2, {{0.2, 0.0}, 0.0}, {personAt(4, {2.0, 0.0})}),
+                                           tickAt(3, {{0.3, 0.0}, 0.0}, {personAt(4, {2.0, 0.1})})};
+  EXPECT_TRUE(std::isnan(scoreOf(headerTo({9.0, 0.0}, 0.1), ticks).responsibility));
+}
+
+TEST(RobotPeopleMetrics, ResponsibilityLeavesOutWhoIsInContact) {
+  // Somebody walks into a robot that stands, which stops them.
+  std::vector<RobotLogTick> ticks;
+  for (std::uint32_t tick = 0; tick < 5; ++tick) {
+    const double x = std::max(0.55, 0.8 - 0.1 * tick);
+    ticks.push_back(tickAt(tick, {{0.0, 0.0}, 0.0}, {personAt(4, {x, 0.0})}));
+    ticks.back().robots[0].contacts.emplace();
+    if (tick >= 3) ticks.back().robots[0].contacts->push_back({4, ContactCause::PERSON, tick == 3});
+  }
+  EXPECT_TRUE(std::isnan(scoreOf(headerTo({9.0, 0.0}, 0.1), ticks).responsibility));
+}
+
 TEST(RobotPeopleMetrics, SocialForces) {
   // At rest 2 m apart: D = e, B = 0.35, theta = 0, so that f = 2.1 exp(-2 / 0.35) = 0.0069269 away from the other.
   const Vector2 force = interactionForce({{0.0, 0.0}, {0.0, 0.0}}, {{2.0, 0.0}, {0.0, 0.0}});

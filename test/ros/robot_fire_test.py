@@ -21,7 +21,8 @@ routes:
 agents:
   - {count: 8, position: {box: [[-6, -6], [6, 6]]}, route: hall, speed: 1.2, radius: 0.25}
 robots:
-  - {name: tug, namespace: tug, position: [0, 0], heading: 0, radius: 0.3, max_speed: 1.0, max_rotation: 1.0}
+  - {name: tug, namespace: tug, position: [0, 0], heading: 0, radius: 0.3, max_speed: 1.0, max_rotation: 1.0,
+     acceleration: 100, rotation_acceleration: 100}
   - {name: far, namespace: far, position: [20, 0], heading: 0, radius: 0.3, max_speed: 1.0, max_rotation: 1.0,
      drive: external}
 """
@@ -77,10 +78,15 @@ class FireTest(RobotTestCase):
                 self.assertTrue(all(map(math.isfinite, (state.pose.x, state.pose.y, state.pose.theta))), state)
             self.assertLessEqual(abs(message.robots[0].twist.linear.x), 1.0 + 1e-9)
             self.assertLessEqual(abs(message.robots[0].twist.angular.z), 1.0 + 1e-9)
+            self.assertLessEqual(abs(message.robots[1].twist.linear.x), 1.5 + 1e-9)
         self.assertGreater(message.robots[0].commands_not_finite, MESSAGES / 10)
         self.assertGreater(message.robots[1].poses_not_finite, MESSAGES / 10)
-        commands.publish(command(-0.5))
-        support.wait_for(lambda: abs(self.walk_all(1)[0].twist.linear.x + 0.5) < 1e-9, 'a robot that obeys')
+        support.wait_for(lambda: self.turns(commands), 'a robot that obeys')
+
+    def turns(self, commands):
+        """Whether the robot follows a command to turn on the spot, in which nobody can be in its way."""
+        commands.publish(command(0.0, 0.5))
+        return abs(self.walk_all(1)[0].twist.angular.z - 0.5) < 1e-9
 
     def all_came(self, sent):
         """Whether this number of commands and of poses has been counted."""

@@ -92,7 +92,7 @@ def test_the_speed_of_1000_people(web):
     """Is measured and printed; what it is depends on the machine."""
     command = ['node', in_package('test/web/wasm_speed.mjs'), web / 'module.js', 'place_station', '1000', '1']
     said = subprocess.run(command, stdout=subprocess.PIPE, check=True, encoding='utf-8').stdout
-    assert re.match(r'1000 to \d+ people walk: [\d.]+ times real time, ', said)
+    assert re.match(r'\d+ to \d+ people walk: [\d.]+ times real time, ', said)
     print(said)
 
 

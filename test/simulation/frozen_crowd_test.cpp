@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "common/text/numbers.h"
+#include <string>
+#include <vector>
+
 #include "support/evaluations.h"
 
 namespace crowd::frozen_crowd_test {
@@ -26,20 +28,34 @@ const char* const CROWD =
     "  - {position: [-0.7591, 0.4232], goal: [11.4, -3.8], speed: 1.39, radius: 0.25}\n"
     "  - {position: [-0.6643, -0.0733], goal: [9.3, 7.5], speed: 1.56, radius: 0.25}\n";
 
-TEST(FrozenCrowd, Dissolves) {
-  constexpr std::uint64_t EPISODES = 20;
-  std::uint64_t episodes = 0;
+/// Numbers of people who arrive, by episode. Nobody is touched.
+std::vector<std::size_t> arrivals(const TrainedTable& table, std::uint64_t episodes) {
+  std::vector<std::size_t> numbers;
   const auto note = [&](const EvaluatedEpisode& walked) {
+    std::size_t arrived = 0;
     for (std::size_t k = 0; k < walked.result.agents.size(); ++k) {
-      EXPECT_TRUE(walked.result.agents[k].arrived) << "episode " << episodes << ", agent " << k;
-      EXPECT_FALSE(walked.result.agents[k].touched) << "episode " << episodes << ", agent " << k;
+      arrived += walked.result.agents[k].arrived ? 1 : 0;
+      EXPECT_FALSE(walked.result.agents[k].touched) << "episode " << numbers.size() << ", agent " << k;
     }
-    ++episodes;
+    numbers.push_back(arrived);
     return true;
   };
-  evaluate(loadQTable(SOURCE_DIR "/config/q_tables/human.txt"), parseScenarios(CROWD, "frozen.yaml"),
-           evaluations::planOf(EPISODES, 2), note);
-  EXPECT_EQ(episodes, EPISODES);
+  evaluate(table, parseScenarios(CROWD, "frozen.yaml"), evaluations::planOf(episodes, 2), note);
+  return numbers;
+}
+
+TEST(FrozenCrowd, Dissolves) {
+  const TrainedTable human = loadQTable(SOURCE_DIR "/config/q_tables/human.txt");
+  EXPECT_EQ(arrivals(human, 20), std::vector<std::size_t>(20, 12));
+}
+
+TEST(FrozenCrowd, StaysWithoutRandomMoves) {
+  TrainedTable human = loadQTable(SOURCE_DIR "/config/q_tables/human.txt");
+  std::string spec = human.model.spec();
+  const std::string key = ", shift: 0.2";
+  ASSERT_NE(spec.find(key), std::string::npos);
+  human.model = parseModel(spec.erase(spec.find(key), key.size()));
+  EXPECT_EQ(arrivals(human, 1), std::vector<std::size_t>{0});
 }
 
 }  // namespace

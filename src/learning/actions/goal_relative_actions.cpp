@@ -8,7 +8,7 @@
 namespace crowd {
 namespace {
 
-constexpr double STANDING = 0.05;  // an agent with a smaller admissible fraction of its move stands
+constexpr double STANDING = 0.05;  // an agent whose move is admissible to less than this does not walk
 
 /// Returns the unit vector towards the goal, agent frame; straight ahead if the agent is at the goal.
 Vector2 goalDirection(const Perception& perception) {

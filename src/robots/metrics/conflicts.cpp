@@ -1,6 +1,7 @@
 #include "robots/metrics/conflicts.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace crowd {
 namespace {
@@ -34,22 +35,32 @@ ResolvedConflicts resolvedConflict(const Vector2& offset, const VelocityChange& 
           std::max(0.0, 0.5 * (before - person_first + robot_first - now))};
 }
 
+const Vector2* Conflicts::velocityBefore(AgentId id) const {
+  const auto found = std::lower_bound(before_.begin(), before_.end(), id,
+                                      [](const auto& known, AgentId other) { return known.first < other; });
+  return found != before_.end() && found->first == id ? &found->second : nullptr;
+}
+
 void Conflicts::observe(const ObservedScene& scene) {
   std::swap(before_, now_);
   now_.clear();
-  for (const ObservedPerson& person : scene.people) now_.emplace_back(person.id, person.velocity);
+  for (const ObservedPerson& person : scene.people) {
+    const Vector2 unknown = Vector2::Constant(std::numeric_limits<double>::quiet_NaN());
+    now_.emplace_back(person.id, velocityBefore(person.id) != nullptr ? person.velocity : unknown);
+  }
   std::sort(now_.begin(), now_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
-ResolvedConflicts Conflicts::resolved(const ObservedScene& scene, const Robot& robot,
-                                      const VelocityChange& velocity) const {
+ResolvedConflicts Conflicts::resolved(const ObservedScene& scene, RobotId id, const VelocityChange& velocity) const {
+  const Robot& robot = *scene.robots[id].robot;
+  const std::vector<RobotContact>& contacts = *scene.robots[id].contacts;
   ResolvedConflicts sum;
   for (const ObservedPerson& person : scene.people) {
-    const auto found = std::lower_bound(before_.begin(), before_.end(), person.id,
-                                        [](const auto& known, AgentId id) { return known.first < id; });
-    if (found == before_.end() || found->first != person.id) continue;
+    const auto is_of_person = [&](const RobotContact& contact) { return contact.agent == person.id; };
+    const Vector2* const before = velocityBefore(person.id);
+    if (before == nullptr || std::any_of(contacts.begin(), contacts.end(), is_of_person)) continue;
     const ResolvedConflicts part =
-        resolvedConflict(person.position - robot.pose.position, velocity, {found->second, person.velocity},
+        resolvedConflict(person.position - robot.pose.position, velocity, {*before, person.velocity},
                          robot.start.footprint.reach() + person.radius);
     sum.by_robot += part.by_robot;
     sum.by_people += part.by_people;

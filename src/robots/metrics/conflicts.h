@@ -34,11 +34,15 @@ class Conflicts {
 
   /// @brief Notes the velocities of people. Call it once for each tick.
   void observe(const ObservedScene& scene);
-  /// @brief What was resolved in the tick that ended with this scene. People who were not there before do not count.
-  ResolvedConflicts resolved(const ObservedScene& scene, const Robot& robot, const VelocityChange& velocity) const;
+  /// @brief What was resolved in the tick that ended with this scene. People in contact with the robot do not count,
+  /// and those who were not there in the two ticks before: their velocities may be those of an impact, or not known.
+  ResolvedConflicts resolved(const ObservedScene& scene, RobotId id, const VelocityChange& velocity) const;
 
  private:
-  using Velocities = std::vector<std::pair<AgentId, Vector2>>;  // by id [m/s]
+  using Velocities = std::vector<std::pair<AgentId, Vector2>>;  // by id; NaN: not known [m/s]
+
+  /// That of a person in the tick before; null if the person was not there.
+  const Vector2* velocityBefore(AgentId id) const;
 
   Velocities before_;
   Velocities now_;

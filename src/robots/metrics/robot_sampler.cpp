@@ -54,8 +54,8 @@ RobotSample RobotSampler::measureStart(const ObservedScene& scene, RobotId id) {
 RobotSample RobotSampler::measure(const ObservedScene& scene, RobotId id, const RobotSample& before, std::size_t goal) {
   RobotSample sample = follow(scene, id, before);
   measureEncounters(scene, id, goal, sample);
-  if (sample.impact) return sample;
-  const auto resolved = conflicts_.resolved(scene, *scene.robots[id].robot, {before.velocity, sample.velocity});
+  if (sample.impact || before.jumped) return sample;  // a jump leaves no velocity
+  const ResolvedConflicts resolved = conflicts_.resolved(scene, id, {before.velocity, sample.velocity});
   sample.conflict_by_robot = resolved.by_robot;
   sample.conflict_by_people = resolved.by_people;
   return sample;
