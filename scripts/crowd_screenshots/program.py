@@ -1,4 +1,4 @@
-"""The program `screenshots`: RViz on a screen of its own, the film of README.md, and a report in a browser."""
+"""The program `screenshots`: RViz on a screen of its own, films of the pages, a report and the page in a browser."""
 import os
 import pathlib
 import shutil
@@ -12,6 +12,8 @@ from crowd_experiments.arguments import add_file, parser_of
 from crowd_experiments.runs import RunError, output_of
 from crowd_experiments.tools import REPOSITORY, find_tools
 from crowd_launching.program import end_all, free_port
+
+from .web_pictures import web
 
 SIZE = '1280x800x24'
 PATIENCE = 120.0  # [s]
@@ -213,12 +215,13 @@ def report(folder):
     yield file
 
 
-KINDS = {'rviz': rviz, 'film': film, 'report': report}
+KINDS = {'rviz': rviz, 'film': film, 'report': report, 'web': web}
 DESCRIPTION = '''Makes pictures in docs/images: of RViz (the panel, the tools that draw on the floor, the values of
-an agent's moves, the crowd of the thesis, and walking people), the film of README.md, and a report.
+an agent's moves, the crowd of the thesis, and walking people), the films of the pages, a report, and the page in a
+browser.
 
-Runs demo.launch and thesis.launch on a separate screen, so that no display is needed. The picture of the report needs
-chromium.'''
+Runs demo.launch and thesis.launch on a separate screen, so that no display is needed. The pictures of the report and of
+the page need chromium, the latter npm too.'''
 EXAMPLES = '''examples:
   scripts/screenshots --output /tmp
   scripts/screenshots rviz film'''
