@@ -1,4 +1,4 @@
-"""The page in web/, in Chromium without a display, against a source that walks people on circles."""
+"""The page in web/, in Chromium without a display, against web_server, with ROS and without."""
 import filecmp
 import json
 import os
@@ -8,7 +8,9 @@ import subprocess
 
 import pytest
 from node_packages import find_chromium, install_clients
-from programs import PATIENCE, in_package
+from programs import CIRCLE6, PATIENCE, in_package
+from ros_crowds import Ros
+from web_clients import start_server
 
 CHECKS = ['ticks_move', 'pause_stops_them_and_step_makes_one', 'a_click_adds_a_person',
           'a_person_is_selected_gets_a_goal_and_is_removed', 'walls_and_obstacles', 'an_error_is_shown_and_goes_away',
@@ -27,29 +29,26 @@ def clients(tmp_path_factory):
     return folder
 
 
-@pytest.fixture(scope='module')
-def results(clients):
-    """The result of each check, by its name."""
-    command = ['node', 'fake_source.mjs', '50', PAGE / 'dist']
-    with subprocess.Popen(command, cwd=clients, stdout=subprocess.PIPE) as source:
-        try:
-            address = source.stdout.readline().decode().strip()
-            done = subprocess.run(['node', 'page_checks.mjs', address], cwd=clients, stdout=subprocess.PIPE,
-                                  stderr=subprocess.PIPE, timeout=20 * PATIENCE, check=False,
-                                  env={**os.environ, 'CHROMIUM': find_chromium()})
-        finally:
-            source.kill()
+def check_page(clients, address):
+    """Returns the result of each check of page_checks.mjs by its name."""
+    done = subprocess.run(['node', 'page_checks.mjs', address], cwd=clients, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, timeout=20 * PATIENCE, check=False,
+                          env={**os.environ, 'CHROMIUM': find_chromium()})
     assert done.returncode == 0, done.stderr.decode()
     return json.loads(done.stdout)
 
 
-@pytest.mark.parametrize('check', CHECKS)
-def test_page(results, check):
-    assert results[check] == 'ok'
+def test_without_ros(runner, clients):
+    server = start_server(runner, CIRCLE6, '--page', PAGE / 'dist')
+    assert check_page(clients, server.url) == dict.fromkeys(CHECKS, 'ok')
 
 
-def test_all_checks_are_named(results):
-    assert sorted(results) == sorted(CHECKS)
+def test_with_ros(runner, clients):
+    """Also with a robot."""
+    ros = Ros(runner)
+    ros.start_crowd('robot_circle_5')
+    server = start_server(runner, '--ros', '--page', PAGE / 'dist', environment=ros.environment)
+    assert check_page(clients, server.url) == dict.fromkeys(CHECKS, 'ok')
 
 
 def test_the_built_page_is_that_of_its_sources(tmp_path):

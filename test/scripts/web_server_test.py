@@ -11,6 +11,7 @@ import pytest
 import social_crowd
 from programs import CIRCLE6, PATIENCE, in_package, tools_folder, wait_for
 from web_clients import BAD_COMMANDS, Page, memory_of, run, start_server, wait_for_url
+from web_nonsense import PROTOCOLS, check_with_nonsense
 
 GROWTH = 64  # [MB] by which slow clients may let the server grow
 ANSWERS = 20
@@ -292,6 +293,13 @@ class SlowClientTest:
                 assert answers == ANSWERS and ticks == sorted(ticks)
                 assert len([tick for tick in ticks if sent[0] <= tick <= sent[-1]]) < len(sent)
         run(test(start_server(runner, 'crowd_circle_1000')))
+
+
+class FuzzTest:
+    """Random and mutated frames."""
+
+    def test_the_server_survives_nonsense(self, runner):
+        check_with_nonsense(start_server(runner, CIRCLE6), PROTOCOLS[:1])
 
 
 class StartTest:

@@ -1,10 +1,14 @@
 """Random and mutated frames for scripts/web_server."""
 import json
+import os
+import random
 import struct
 
-from web_clients import BINARY, TEXT, RawClient, framed
+from web_clients import BINARY, TEXT, Page, RawClient, framed, memory_of, run
 
-# Path, subprotocol, and messages that fit.
+FRAMES = int(os.environ.get('SOCIAL_CROWD_FUZZ_FRAMES', 3000))
+GROWTH = 64  # [MB] by which they may let the server grow
+# Path, subprotocol, and messages that fit; the first one is that of the page.
 PROTOCOLS = [
     ('/ws', None, [
         {'command': 'pause'}, {'command': 'play'}, {'command': 'step', 'ticks': 1}, {'command': 'select', 'agent': 1},
@@ -25,12 +29,12 @@ VALUES = [b'null', b'1e999', b'-1', b'NaN', b'{}', b'[]', b'"\\ud800"', b'184467
           b'true']
 
 
-def send_nonsense(server, count, chance):
-    """Sends a number of frames to all protocols in turn; connects again where the server has ended the connection."""
-    clients = [None] * len(PROTOCOLS)
+def send_nonsense(server, count, chance, protocols):
+    """Sends a number of frames to these protocols in turn; connects again where the server has ended the connection."""
+    clients = [None] * len(protocols)
     for i in range(count):
-        at = i % len(PROTOCOLS)
-        path, protocol, messages = PROTOCOLS[at]
+        at = i % len(protocols)
+        path, protocol, messages = protocols[at]
         if clients[at] is None:
             clients[at] = RawClient(server, path, protocol)
         if not clients[at].send(nonsense(messages, chance)):
@@ -39,6 +43,22 @@ def send_nonsense(server, count, chance):
     for client in clients:
         if client:
             client.close()
+
+
+def check_with_nonsense(server, protocols):
+    """Sends FRAMES frames; the server does not grow, and then serves a page."""
+    before = memory_of(server)
+    send_nonsense(server, FRAMES, random.Random(39), protocols)
+    growth = memory_of(server) - before
+    print(f'{FRAMES} frames: the server has grown by {growth:.1f} MB')
+    assert growth < GROWTH and server.is_running()
+
+    async def test():
+        async with Page(server) as page:
+            await page.next('hello')
+            await page.next('scene')
+    run(test())
+    assert 'Traceback' not in server.output()
 
 
 def nonsense(messages, chance):
