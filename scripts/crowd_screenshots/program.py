@@ -33,8 +33,12 @@ PEOPLE_VIEW = {'Class': 'rviz/Orbit', 'Target Frame': 'map', 'Distance': 16, 'Pi
 KINDS_VIEW = {**PEOPLE_VIEW, 'Distance': 8.5, 'Pitch': 0.45, 'Yaw': 4.7,
               'Focal Point': {'X': -0.5, 'Y': -0.5, 'Z': 0.4}}
 SCRIPTS, CONFIG = REPOSITORY / 'scripts', REPOSITORY / 'config'
-# As in README.md.
-FILM = 'place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30'
+FILMS = {  # as in README.md and the pages that show them
+    'film_station': 'place_station --start 28 --duration 36 --speed 3 --fps 15 --view 8 7 44 30',
+    'film_museum': 'place_museum --start 20 --duration 27 --speed 3 --fps 12 --size 560',
+    'film_two_way_door': 'place_two_way_door --start 10 --duration 27 --speed 3 --fps 12 --size 560',
+    'film_robot_door': 'robot_door --duration 27 --speed 3 --fps 12 --size 560',
+}
 SCENARIOS = 'circle6', 'place_corner'
 EPISODES, LEARNED = 20, 300  # of each scenario, of each training
 BROWSER = 'chromium'
@@ -178,11 +182,12 @@ def rviz(folder):
         yield from pictures(folder)
 
 
-def film(folder):
-    """Makes the film. Yields its file."""
-    file = folder / 'film_station.gif'
-    output_of([SCRIPTS / 'film', *FILM.split(), '--output', file])
-    yield file
+def films(folder):
+    """Makes the films. Yields their files."""
+    for name, words in FILMS.items():
+        file = folder / f'{name}.gif'
+        output_of([SCRIPTS / 'film', *words.split(), '--output', file])
+        yield file
 
 
 def write_report(folder):
@@ -215,7 +220,7 @@ def report(folder):
     yield file
 
 
-KINDS = {'rviz': rviz, 'film': film, 'report': report, 'web': web}
+KINDS = {'rviz': rviz, 'film': films, 'report': report, 'web': web}
 DESCRIPTION = '''Makes pictures in docs/images: of RViz (the panel, the tools that draw on the floor, the values of
 an agent's moves, the crowd of the thesis, and walking people), the films of the pages, a report, and the page in a
 browser.

@@ -1,10 +1,12 @@
-"""scripts/screenshots: pictures of RViz without a display."""
+"""scripts/screenshots: pictures of RViz without a display, films, and pictures in a browser."""
 import os
+import pathlib
 import shutil
 import subprocess
 
 import pytest
 from matplotlib.image import imread
+from node_packages import find_chromium, install_clients
 from programs import PATIENCE, in_package
 from renderer import variables
 
@@ -41,17 +43,31 @@ class ScreenshotsTest:
         assert people.shape[:2] == (600, 890)
         assert count_like(imread(tmp_path / 'rviz_thesis.png'), SECTOR_COLOUR) > 1000
 
-    def test_film(self, tmp_path):
+    def test_films(self, tmp_path):
         status, output = run('film', '--output', tmp_path)
         assert status == 0, output
-        assert output.splitlines() == [str(tmp_path / 'film_station.gif')]
-        assert 1e6 < (tmp_path / 'film_station.gif').stat().st_size < 3e6
+        files = [pathlib.Path(line) for line in output.splitlines()]
+        assert [file.name for file in files] == [
+            'film_station.gif', 'film_museum.gif', 'film_two_way_door.gif', 'film_robot_door.gif']
+        sizes = [file.stat().st_size for file in files]
+        assert 1e6 < sizes[0] < 3e6 and 1e5 < min(sizes[1:]) and max(sizes[1:]) < 1.5e6
 
     @pytest.mark.skipif(shutil.which('chromium') is None, reason='chromium is not installed')
     def test_report(self, tmp_path):
         status, output = run('report', '--output', tmp_path)
         assert status == 0, output
         assert imread(tmp_path / 'report.png').std() > 0.05  # not blank
+
+    def test_page(self, tmp_path):
+        find_chromium()
+        install_clients(tmp_path)  # or skips
+        status, output = run('web', '--output', tmp_path / 'pictures')
+        assert status == 0, output
+        names = [pathlib.Path(line).name for line in output.splitlines()]
+        assert names == ['web_6.png', 'web_200.png', 'web_1000.png', 'web_10000.png']
+        for name in names:
+            file = tmp_path / 'pictures' / name
+            assert imread(file).shape[:2] == (720, 1280) and 2e4 < file.stat().st_size < 2.5e5
 
     @pytest.mark.parametrize('word', ['--nonsense', 'nonsense'])
     def test_wrong_usage(self, word):

@@ -12,6 +12,24 @@ from ros_crowds import Ros, environment_of
 from web_clients import BAD_COMMANDS, Page, run, start_server, wait_for_url
 from web_nonsense import PROTOCOLS, check_with_nonsense
 
+# Episodes of a few seconds in a building, so that clients see maps and results.
+SCENARIO = '''
+name: rooms
+duration: 3
+goal_tolerance: 0.3
+map: %s
+agents:
+  - {count: 5, position: {map: free}, goal: {map: free}, speed: 1, radius: 0.2}
+robots:
+  - {name: robot, position: [22, 8], goal: [28, 8], radius: 0.25, max_speed: 1}
+'''
+
+
+@pytest.fixture
+def rooms(runner):
+    """The file of SCENARIO."""
+    return runner.write('rooms.yaml', SCENARIO % in_package('config', 'maps', 'office.yaml'))
+
 
 @pytest.fixture
 def ros(runner):
@@ -32,6 +50,15 @@ def run_client(folder, *words):
                           timeout=2 * PATIENCE, check=False)
     assert done.returncode == 0, done.stderr.decode()
     return json.loads(done.stdout)
+
+
+def check_map_and_results(messages):
+    """Checks what a client got of a map and of the results of an episode."""
+    info, cells = messages['/map']['info'], messages['/map']['data']
+    cells = list(cells.values()) if isinstance(cells, dict) else cells  # typed arrays of JavaScript in JSON
+    assert len(cells) == info['width'] * info['height'] > 1000 and {0, 100} <= set(cells)
+    results = messages['/episode_results']
+    assert results['scenario'] == 'rooms' and len(results['agents']) == 5
 
 
 class RosBackEndTest:
@@ -98,33 +125,37 @@ class RosBackEndTest:
         ros.start_crowd()
         run(test(start_server(runner, '--ros', environment=ros.environment)))
 
-    def test_client_of_foxglove(self, runner, ros, node_clients):
-        ros.start_crowd('robot_circle_5')
+    def test_client_of_foxglove(self, runner, ros, rooms, node_clients):
+        ros.start_crowd(rooms)
         ros.start_node('crowd_markers')
         server = start_server(runner, '--ros', environment=ros.environment)
         wait_for(lambda: '/markers' in dict(ros.master.getTopicTypes()), 'the markers')
         topics = ['/agents', '/markers', '/scenario', '/walls', '/robots', '/controller_status', '/agent_poses', '/tf',
-                  '/scan', '/odom']
+                  '/scan', '/odom', '/map', '/episode_results']
         seen = run_client(node_clients, 'foxglove_client.mjs', f'ws://127.0.0.1:{server.port}/', *topics)
         assert seen['info']['supportedEncodings'] == ['ros1']
         assert seen['types']['/agent_poses'] == 'geometry_msgs/PoseArray'
         assert seen['types']['/scan'] == 'sensor_msgs/LaserScan'
         assert [agent['agent'] for agent in seen['messages']['/agents']['agents']] == [0, 1, 2, 3, 4]
         assert len(seen['messages']['/agent_poses']['poses']) == 5
-        assert seen['messages']['/scenario']['name'] == 'robot_circle_5'
+        assert seen['messages']['/scenario']['name'] == 'rooms'
+        assert seen['types']['/map'] == 'nav_msgs/OccupancyGrid'
+        check_map_and_results(seen['messages'])
         paused, refused, misfit = seen['calls']
         assert paused['success'] is True and refused['success'] is False
         assert 'does not fit' in misfit['failure']
         wait_for(lambda: not ros.topics_of('/web_server'), 'the end of the subscriptions')
 
-    def test_client_of_rosbridge(self, runner, ros, node_clients):
-        ros.start_crowd('robot_circle_5')
+    def test_client_of_rosbridge(self, runner, ros, rooms, node_clients):
+        ros.start_crowd(rooms)
         server = start_server(runner, '--ros', environment=ros.environment)
         words = ['/agents', 'social_crowd/AgentStates', '/scan', 'sensor_msgs/LaserScan', '/learner_status',
-                 'social_crowd/LearnerStatus', '/robots', 'social_crowd/RobotStates']
+                 'social_crowd/LearnerStatus', '/robots', 'social_crowd/RobotStates', '/map', 'nav_msgs/OccupancyGrid',
+                 '/episode_results', 'social_crowd/EpisodeResult']
         seen = run_client(node_clients, 'rosbridge_client.mjs', f'ws://127.0.0.1:{server.port}/rosbridge', *words)
         assert '/agents' in seen['topics']['topics']
         assert len(seen['messages']['/agents']['agents']) == 5
+        check_map_and_results(seen['messages'])
         assert None in seen['messages']['/scan']['ranges']  # infinite: nothing was seen
         paused, spawned, misfit, other = seen['calls']
         assert paused['success'] is True and spawned['success'] is True and spawned['agent'] == 5
