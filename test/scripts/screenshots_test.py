@@ -12,6 +12,7 @@ from renderer import variables
 
 TOOL_COLOUR = 0.1, 0.45, 0.9  # of outlines
 BEST_COLOUR = 0.993, 0.906, 0.144  # of the wedge of the best move
+CHOSEN_COLOUR = 0.99, 0.89, 0.27  # of the bar of the best move on the page
 SECTOR_COLOUR = 0.96, 0.85, 0.66  # of a sector in which the chosen agent perceives another one
 LIKE = 0.06
 
@@ -65,7 +66,7 @@ class ScreenshotsTest:
         file, = web_pictures.web(tmp_path)
         assert file == tmp_path / 'web_6.png' and file.stat().st_size < 2.5e5
         picture = imread(file)
-        assert picture.shape[:2] == (720, 1280) and count_like(picture, BEST_COLOUR) > 500
+        assert picture.shape[:2] == (720, 1280) and count_like(picture, CHOSEN_COLOUR) > 500
 
     @pytest.mark.parametrize('word', ['--nonsense', 'nonsense'])
     def test_wrong_usage(self, word):
