@@ -44,9 +44,8 @@ def test_without_ros(runner, clients):
 
 
 def test_with_ros(runner, clients):
-    """Also with a robot."""
     ros = Ros(runner)
-    ros.start_crowd('robot_circle_5')
+    ros.start_crowd()
     server = start_server(runner, '--ros', '--page', PAGE / 'dist', environment=ros.environment)
     assert check_page(clients, server.url) == dict.fromkeys(CHECKS, 'ok')
 
