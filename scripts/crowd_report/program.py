@@ -41,7 +41,8 @@ def chapters_of(sources, training, folder):
         robots.add_text('Means of the episodes ± half of the 95 % confidence interval (t), without episodes in which a '
                         'number was not measured. docs/metrics.md defines them.')
         robots.add_table('Metrics of robots', *robot_rows(robot_groups))
-        robots.add_table('All fields (units: `score_robots --fields`), over all scenarios', *robot_field_rows(robot_groups))
+        robots.add_table('All fields, over all scenarios (units: `score_robots --fields`)',
+                         *robot_field_rows(robot_groups))
     learning = Chapter('learning', 'Learning curves')
     for kind in dict.fromkeys(source.kind for source in training):  # logs and records have other columns
         runs = [read_run(source.label, source.file) for source in training if source.kind == kind]
