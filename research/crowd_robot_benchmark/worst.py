@@ -40,8 +40,8 @@ def cells_of(row, values):
 
 
 def worst_chapter(suite, columns, rows, films, folder):
-    """Returns the chapter of the worst episodes, with so many films of each robot, which are made in a folder; without
-    those of robots that people do not perceive."""
+    """Returns the chapter of the worst episodes, with `films` films of each robot, which are made in a folder. Episodes
+    of robots that people do not perceive are left out."""
     chapter = Chapter('worst', 'Worst episodes')
     chapter.add_text('By contacts, then failures, then the time in which a person was nearer than 1.2 m; one '
                      'episode of a scene at most.')

@@ -54,8 +54,9 @@ std::optional<PoseProblem> ExternalRobot::take(const Pose& pose, double stamp) {
       problem = PoseProblem::GAP;
     } else {
       // Two stamps may be so close that the tolerance makes any speed of it.
-      const double fastest = std::min(JUMP_SPEED * max_speed_, limits::VELOCITY.most);
-      velocity_ = way / std::max(passed, way.norm() / fastest);
+      const Vector2 most = Vector2::Constant(limits::VELOCITY.most);
+      velocity_ = way / std::max(passed, way.norm() / (JUMP_SPEED * max_speed_));
+      velocity_ = velocity_.cwiseMin(most).cwiseMax(-most);
     }
   }
   ++counts_.taken;

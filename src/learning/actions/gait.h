@@ -21,14 +21,13 @@ struct Gait {
   double sway = 0.0;    ///< maximum deviation of the heading that changes within a second [degrees]
   double wander = 0.0;  ///< the same, within some seconds [degrees]
   double pace = 0.0;    ///< maximum decrease of the speed, as a fraction
-  double shift =
-      0.0;  ///< mean number of moves in random directions, each for a tick, of an agent that does not walk [1/s]
+  double shift = 0.0;   ///< mean number of random moves, each for a tick, of an agent that does not walk [1/s]
 
   bool isOn() const { return sway > 0.0 || wander > 0.0 || pace > 0.0 || shift > 0.0; }
   /// @param agent random numbers of this agent in this episode @param time of the episode [s]
   GaitDeviation at(const KeyedRandom& agent, double time) const;
-  /// @brief The random move that an agent makes in a tick in which it would not walk; nothing in most ticks. So crowds
-  /// in which nobody moves because each would choose the same move again do not stay as they are.
+  /// @brief The random move that an agent makes in a tick in which it would not walk; nothing in most ticks. It ends
+  /// the standstill of crowds in which everybody chooses to stay.
   /// @param agent as in at() @param moves number of moves to draw from @param tick its number @param duration of it [s]
   std::optional<std::uint32_t> shiftAt(const KeyedRandom& agent, std::uint32_t moves, std::uint64_t tick,
                                        double duration) const;
