@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "learning/q_table_file.h"
 #include "scenario/reading/scenario_files.h"
@@ -278,6 +279,73 @@ TEST(LibraryEpisode, RefusesWhatIsInvalidAndChangesNothing) {
   EXPECT_EQ(episode.agents().size(), 2U);
   EXPECT_EQ(episode.agents().at(0).pose.position.x, 0.0);
   EXPECT_TRUE(episode.walk(stay));
+}
+
+TEST(LibraryEpisode, ArraysHaveTheNumbersOfTheAgents) {
+  Episode episode = twoAgents();
+  AgentArrays arrays;
+  arrays.id.resize(9);  // of another episode
+  while (episode.agents()[1].status == AgentStatus::WALKING) {
+    ASSERT_TRUE(episode.walk(walkToGoal));
+    episode.agents(arrays);
+    const std::vector<AgentState> agents = episode.agents();
+    ASSERT_EQ(arrays.id, (std::vector<AgentId>{0, 1}));
+    for (const AgentState& agent : agents) {
+      ASSERT_EQ(arrays.status[agent.id], static_cast<std::uint8_t>(agent.status));
+      ASSERT_EQ(arrays.position[2 * agent.id], agent.pose.position.x);
+      ASSERT_EQ(arrays.position[2 * agent.id + 1], agent.pose.position.y);
+      ASSERT_EQ(arrays.heading[agent.id], agent.pose.heading);
+      ASSERT_EQ(arrays.velocity[2 * agent.id], agent.velocity.x);
+      ASSERT_EQ(arrays.goal[2 * agent.id], agent.goal.x);
+      ASSERT_EQ(arrays.max_speed[agent.id], agent.max_speed);
+      ASSERT_EQ(arrays.radius[agent.id], agent.radius);
+      ASSERT_EQ(arrays.in_contact[agent.id] != 0, agent.in_contact);
+    }
+  }
+  EXPECT_EQ(arrays.status, (std::vector<std::uint8_t>{0, 1}));
+}
+
+TEST(LibraryEpisode, CarriesOutGivenActionsInTurns) {
+  const char* const turns =
+      "name: turns\nduration: 5\ngoal_tolerance: 0.3\norder: sequential\nagents:\n"
+      "  - {position: [0, 0], goal: [10, 0], heading: 0, speed: 1, radius: 0.25}\n"
+      "  - {position: [0, 6], goal: [10, 6], heading: 0, speed: 2, radius: 0.25}\n";
+  Episode episode(Scenario::parse(turns, "turns.yaml"), Vision());
+  ASSERT_TRUE(episode.walk({{1, 0.0, 1.0}, {0, 0.0, 0.5}}));
+  EXPECT_EQ(episode.tick(), 1U);
+  EXPECT_NEAR(episode.agents()[0].pose.position.x, 0.05, 1e-12);
+  EXPECT_NEAR(episode.agents()[1].pose.position.x, 0.2, 1e-12);
+  ASSERT_TRUE(episode.walk({{1, 0.0, 1.0}}));  // the other one stays
+  EXPECT_NEAR(episode.agents()[0].pose.position.x, 0.05, 1e-12);
+  EXPECT_NEAR(episode.agents()[1].pose.position.x, 0.4, 1e-12);
+}
+
+TEST(LibraryEpisode, GoesOnInAnotherObject) {
+  Learner other(QTable::load(TABLE), 7);
+  Learner learner(QTable::load(TABLE), 8);
+  learner = std::move(other);
+  Episode expected(Scenario::load("circle6"), QTable::load(TABLE).vision());
+  Episode first(Scenario::load("circle6"), QTable::load(TABLE).vision());
+  Learner own(QTable::load(TABLE), 7);
+  ASSERT_TRUE(first.walk(learner));
+  Episode episode = twoAgents();
+  episode = std::move(first);
+  ASSERT_TRUE(episode.walk(learner));
+  for (int tick = 0; tick < 2; ++tick) ASSERT_TRUE(expected.walk(own));
+  EXPECT_EQ(episode.tick(), 2U);
+  for (const AgentState& agent : expected.agents()) {
+    EXPECT_EQ(episode.agents()[agent.id].pose.position.x, agent.pose.position.x);
+  }
+}
+
+TEST(LibraryEpisode, ScansOfRobots) {
+  Episode episode = twoAgents();
+  episode.addWall({{-4.0, -3.0}, {-4.0, 3.0}});
+  const RobotScan scan = episode.scan(0);
+  ASSERT_FALSE(scan.ranges.empty());
+  const auto ahead = static_cast<std::size_t>(std::lround(-scan.first_angle / scan.increment));
+  EXPECT_NEAR(scan.ranges[ahead], 1.0F, 0.01F);
+  EXPECT_THROW(episode.scan(1), InputError);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "scenario/reading/scenario_reader.h"
@@ -11,6 +12,7 @@
 #include "simulation/evaluation/evaluation.h"
 #include "social_crowd/errors.h"
 #include "social_crowd/evaluation.h"
+#include "support/error_of.h"
 
 namespace crowd::library::robot_batch_test {
 namespace {
@@ -122,6 +124,86 @@ TEST(RobotBatch, RefusesInvalidInput) {
   EXPECT_THROW(RobotBatch({crossing()}, table, options), InputError);
   EXPECT_THROW(RobotBatch({}, table, optionsFor(1)), InputError);
   EXPECT_THROW(RobotBatch({crossing()}, table, optionsFor(0)), InputError);
+}
+
+/// A scenario with a robot like `tug` in all but these words.
+Scenario withTug(const std::string& words) {
+  return Scenario::parse(
+      "name: other\nduration: 14\ngoal_tolerance: 0.3\nrobots:\n  - {name: tug, position: [-6, 0], goal: [6, 0], "
+      "radius: "
+      "0.3, " +
+          words + "}\n",
+      "other.yaml");
+}
+
+TEST(RobotBatch, TakesRobotsThatAreAlikeOnly) {
+  const QTable table = QTable::load(TABLE);
+  const auto error = [&](const std::string& words) {
+    return errorOf<InputError>([&] { RobotBatch({crossing(), withTug(words)}, table, optionsFor(1)); });
+  };
+  EXPECT_EQ(error("max_speed: 1, yields: both, scan: {rays: 90, period: 0.2, noise: 0.5}"), "no error");
+  for (const char* const words :
+       {"max_speed: 1, drive: holonomic, scan: {rays: 90}", "max_speed: 2, scan: {rays: 90}",
+        "max_speed: 1, max_rotation: 0.5, scan: {rays: 90}", "max_speed: 1, scan: {rays: 91}",
+        "max_speed: 1, scan: {rays: 90, angles: [-90, 270]}", "max_speed: 1, scan: {rays: 90, angles: [-180, 90]}",
+        "max_speed: 1, scan: {rays: 90, range: [0.2, 10]}", "max_speed: 1, scan: {rays: 90, range: [0.05, 7]}"}) {
+    EXPECT_TRUE(contains(error(words), "expected drive, greatest speeds and scanner of the robot of the first"))
+        << words << ": " << error(words);
+  }
+  EXPECT_TRUE(contains(error("max_speed: 1, drive: external"), "got drive: external"));
+}
+
+TEST(RobotBatch, CommandsTheFirstRobotIfNoneIsNamed) {
+  RobotBatchOptions options = optionsFor(1);
+  options.robot.clear();
+  options.max_people = 0;
+  options.scan = false;
+  options.ticks = 5;
+  RobotBatch batch({crossing()}, QTable::load(TABLE), options);
+  EXPECT_EQ(batch.robot().name, "cart");
+  batch.begin({{0, 0, 1, 0, 0}});
+  batch.step(ahead(1));
+  EXPECT_EQ(batch.arrays().tick[0], 5U);
+  EXPECT_GT(batch.arrays().pose[0], -6.0);
+  EXPECT_EQ(batch.arrays().has_goal[0], 0);
+  EXPECT_TRUE(batch.arrays().scan.empty());
+  EXPECT_TRUE(batch.arrays().people.empty());
+  options.ticks = 0;
+  EXPECT_THROW(RobotBatch({crossing()}, QTable::load(TABLE), options), InputError);
+}
+
+TEST(RobotBatch, NamesTheRobotsThatThereAre) {
+  const auto error = [](const Scenario& scenario) {
+    return errorOf<InputError>([&] {
+      RobotBatchOptions options = optionsFor(1);
+      options.robot = "truck";
+      RobotBatch({scenario}, QTable::load(TABLE), options);
+    });
+  };
+  EXPECT_EQ(error(crossing()), "crossing.yaml: document 1: there is no robot 'truck', only: cart, tug");
+  const char* const people =
+      "name: people\nduration: 1\ngoal_tolerance: 0.3\nagents: [{position: [0, 0], goal: [1, 0], speed: 1, radius: "
+      "0.2}]\n";
+  EXPECT_EQ(error(Scenario::parse(people, "people.yaml")), "people.yaml: document 1: the scenario has no robot");
+}
+
+TEST(RobotBatch, HasAgentsAndWallsOfEachEpisode) {
+  const Scenario walled = Scenario::parse(std::string(CROSSING) + "walls: [[[-9, 9], [9, 9]]]\n", "walled.yaml");
+  RobotBatch batch({crossing(), walled}, QTable::load(TABLE), optionsFor(2));
+  EXPECT_THROW(batch.walls(0), InputError);  // has not begun
+  batch.begin({{0, 0, 1, 0, 0}, {1, 1, 2, 0, 0}});
+  EXPECT_TRUE(batch.walls(0).empty());
+  ASSERT_EQ(batch.walls(1).size(), 1U);
+  EXPECT_EQ(batch.walls(1)[0].to.x, 9.0);
+  batch.step(ahead(2));
+  AgentArrays agents;
+  batch.agents(1, agents);
+  ASSERT_EQ(agents.id, (std::vector<AgentId>{0, 1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(agents.position.size(), 16U);
+  EXPECT_EQ(agents.radius, std::vector<double>(8, 0.25));
+  EXPECT_EQ(agents.max_speed, std::vector<double>(8, 1.2));
+  EXPECT_GE(agents.goal[1], 6.0);
+  EXPECT_THROW(batch.agents(2, agents), InputError);
 }
 
 }  // namespace
