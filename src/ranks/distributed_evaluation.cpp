@@ -80,7 +80,7 @@ std::optional<EvaluatedEpisode> RankEvaluation::walkDivided(Scene scene, std::ui
   DistributedCrowd crowd(scene, instance, learner_, thread_pool_, communicator_);
   scene = Scene();
   do {
-    if (records_) crowd.appendTrajectoryRows(walked.trajectory);
+    if (records_) crowd.appendTrajectoryRows(walked.ticks.trajectory);
     noteTick(instance, crowd.tick(), crowd.maxTicks());
   } while (crowd.step(plan_.stop.isMade()));
   if (crowd.wasStopped()) return std::nullopt;

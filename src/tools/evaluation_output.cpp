@@ -93,9 +93,9 @@ ScenarioOutput::ScenarioOutput(const OutputNames& names, const std::string& scen
 }
 
 void ScenarioOutput::append(const EvaluatedEpisode& walked) {
-  if (trajectories_) trajectories_->append(walked.trajectory);
+  if (trajectories_) trajectories_->append(walked.ticks.trajectory);
   if (states_) states_->append(walked.states);
-  if (robot_series_) robot_series_->append(walked.robot_series);
+  if (robot_series_) robot_series_->append(walked.ticks.robot_series);
   if (scenes_) scenes_->append(walked.scene);
 }
 
@@ -116,7 +116,7 @@ void RunOutput::append(const EvaluatedEpisode& walked) {
   if (agents_) agents_->append(rowsOf(appendRecordRows, walked));
   if (robots_) robots_->append(rowsOf(appendRobotRows, walked));
   if (robot_goals_) robot_goals_->append(rowsOf(appendRobotGoalRows, walked));
-  if (robot_log_) robot_log_->append(walked.robot_log);
+  if (robot_log_) robot_log_->append(walked.ticks.robot_log);
 }
 
 void RunOutput::finish(const std::string& csv) {

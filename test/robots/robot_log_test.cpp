@@ -219,7 +219,7 @@ TEST(RobotLogProperty, OfAnEpisodeHasTheSameResultsBitForBit) {
     Episode episode(randomWorld(seed, random), seed, Vision());
     RobotLogRecord record;
     std::string log;
-    record.append(episode, log);
+    record.append(seed, episode, log);
     for (int tick = 0; tick < 60; ++tick) {
       for (RobotId id = 0; id < 2; ++id) {
         const Vector2 linear(random.uniform(-0.2, 1.5), random.uniform(-0.5, 0.5));
@@ -231,7 +231,7 @@ TEST(RobotLogProperty, OfAnEpisodeHasTheSameResultsBitForBit) {
         ++teleports;
       }
       episode.step(scenes::randomActions(episode.world(), random));
-      record.append(episode, log);
+      record.append(seed, episode, log);
       for (const Robot& robot : episode.world().robots()) {
         for (const RobotContact& contact : robot.contacts) {
           with_recorded += contact.agent == idOfRecorded(episode.world().obstacles().size() - 1) ? 1 : 0;
@@ -259,9 +259,9 @@ TEST(RobotLogProperty, OfAnEpisodeHasTheSameResultsBitForBit) {
 TEST(RobotLog, HasTheNamesOfTheScenario) {
   Scene made = with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({}));
   made.name = "a \"hall\"\\\n";
-  Episode episode(made, 7, Vision());
+  Episode episode(made, 0, Vision());
   std::string log;
-  RobotLogRecord().append(episode, log);
+  RobotLogRecord().append(7, episode, log);
   const TemporaryFolder folder;
   RobotLogHeader read;
   readRobotLog(
@@ -269,6 +269,49 @@ TEST(RobotLog, HasTheNamesOfTheScenario) {
   EXPECT_EQ(read.scenario, made.name);
   EXPECT_EQ(read.episode, 7U);
   EXPECT_EQ(read.robots.at(0).goals.size(), 1U);
+}
+
+/// The user of an episode through ROS sends robots, adds and removes some.
+TEST(RobotLog, HasAHeaderWhereRobotsOrTheirGoalsChange) {
+  Scene made = with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({}));
+  made.robots[0].name = "tug";
+  Episode episode(made, 0, Vision());
+  RobotStart other = made.robots[0];
+  other.name = other.name_space = "cart";
+  other.position = {0.0, 5.0};
+  other.goals = {};
+  RobotLogRecord record;
+  std::string log;
+  const auto walk = [&] {
+    episode.step({});
+    record.append(3, episode, log);
+  };
+  record.append(3, episode, log);
+  walk();
+  episode.edit().addRobot(other);
+  walk();
+  walk();
+  episode.edit().sendRobot(1, {3.0, 5.0});
+  walk();
+  episode.edit().removeRobot(0);
+  walk();
+  const TemporaryFolder folder;
+  const std::string file = folder.write("log.jsonl", log);
+  std::vector<std::string> headers;
+  const auto begin = [&](const RobotLogHeader& header) {
+    headers.push_back(std::to_string(header.episode));
+    for (const RobotStart& robot : header.robots) {
+      headers.back() += " " + robot.name + " " + std::to_string(robot.goals.size());
+    }
+  };
+  readRobotLog(file, begin, [&](const RobotLogTick& tick) { headers.back() += ", " + std::to_string(tick.tick); });
+  EXPECT_EQ(headers,
+            (std::vector<std::string>{"3 tug 1, 0, 1", "3 tug 1 cart 0, 2, 3", "3 tug 1 cart 1, 4", "3 cart 1, 5"}));
+  std::size_t scored = 0;
+  LogScoring scoring;
+  scoring.on_episode = [&](const RobotLogReplay& replay) { scored += replay.results().size(); };
+  scoreRobotLog(file, {}, scoring);
+  EXPECT_EQ(scored, 6U);
 }
 
 }  // namespace

@@ -109,8 +109,15 @@ class ControllerParametersTest(RefusalTestCase):
 
     def test_folder_for_recordings_that_cannot_be_created(self):
         file = self.write('file', '')
-        node = self.start_plain(scenario=support.CIRCLE6, trajectories=file)
-        self.assert_says(self.message_of(node), file)
+        for name in ('trajectories', 'robot_series', 'robot_logs'):
+            node = self.start_plain(scenario=support.CIRCLE6, **{name: file})
+            self.assert_says(self.message_of(node), file)
+
+    def test_recordings_of_the_same_names(self):
+        folder = self.path('recorded')
+        message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, trajectories=folder,
+                                                         robot_series=folder, robot_logs=folder), 'robot_series')
+        self.assert_says(message, 'expected another folder than that of ~trajectories', folder)
 
 
 class ScenarioFilesTest(RefusalTestCase):

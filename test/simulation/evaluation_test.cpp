@@ -41,7 +41,7 @@ TEST(Evaluation, PlaysTheScenariosInTurn) {
     EXPECT_EQ(all[i].instance, i);
     EXPECT_EQ(all[i].result.scenario, names[i % 3]);
   }
-  EXPECT_NE(all[1].trajectory.substr(2), all[4].trajectory.substr(2));  // places differ between episodes
+  EXPECT_NE(all[1].ticks.trajectory.substr(2), all[4].ticks.trajectory.substr(2));  // places differ between episodes
 }
 
 TEST(Evaluation, PlaysEachScenarioOnceByDefault) {
@@ -65,7 +65,7 @@ TEST(Evaluation, AnyEpisodeIsRepeatedAlone) {
 TEST(Evaluation, DrawnPlacesDependOnTheSeed) {
   const std::vector<EvaluatedEpisode> one = evaluateAll(planOf(1, 1, 1));
   const std::vector<EvaluatedEpisode> other = evaluateAll(planOf(1, 1, 2));
-  EXPECT_NE(one.at(0).trajectory, other.at(0).trajectory);
+  EXPECT_NE(one.at(0).ticks.trajectory, other.at(0).ticks.trajectory);
 }
 
 TEST(Evaluation, DeliversScenesOnRequest) {
@@ -117,16 +117,16 @@ TEST(Evaluation, TrajectoryHasARowForEveryAgentAndTick) {
   for (const EvaluatedEpisode& walked : all) {
     std::uint64_t expected = 0;
     for (const AgentResult& agent : walked.result.agents) expected += agent.ticks + 1;  // tick 0 is one of them
-    const auto rows = std::count(walked.trajectory.begin(), walked.trajectory.end(), '\n');
+    const auto rows = std::count(walked.ticks.trajectory.begin(), walked.ticks.trajectory.end(), '\n');
     EXPECT_EQ(static_cast<std::uint64_t>(rows), expected);
-    EXPECT_EQ(walked.trajectory.find(std::to_string(walked.instance) + ",0,0,"), 0U);
+    EXPECT_EQ(walked.ticks.trajectory.find(std::to_string(walked.instance) + ",0,0,"), 0U);
   }
 }
 
 TEST(Evaluation, DeliversTrajectoriesOnlyOnRequest) {
   EvaluationPlan plan = planOf(3, 1);
   plan.record = false;
-  for (const EvaluatedEpisode& walked : evaluateAll(plan)) EXPECT_TRUE(walked.trajectory.empty());
+  for (const EvaluatedEpisode& walked : evaluateAll(plan)) EXPECT_TRUE(walked.ticks.trajectory.empty());
 }
 
 TEST(Evaluation, AgentsFollowTheTable) {

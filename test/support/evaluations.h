@@ -89,7 +89,7 @@ inline EpisodeResult evaluateOnce(const std::string& scenario, const EvaluationP
 inline void expectSame(const EvaluatedEpisode& walked, const EvaluatedEpisode& expected) {
   SCOPED_TRACE("instance " + std::to_string(expected.instance));
   EXPECT_EQ(walked.instance, expected.instance);
-  EXPECT_EQ(walked.trajectory, expected.trajectory);
+  EXPECT_EQ(walked.ticks.trajectory, expected.ticks.trajectory);
   EXPECT_EQ(walked.result.scenario, expected.result.scenario);
   EXPECT_EQ(walked.result.ticks, expected.result.ticks);
   ASSERT_EQ(walked.result.agents.size(), expected.result.agents.size());

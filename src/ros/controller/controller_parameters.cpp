@@ -69,6 +69,16 @@ void readRobots(Parameters& parameters, ControllerParameters& read) {
   }
 }
 
+void readRecordings(Parameters& parameters, ControllerParameters& read) {
+  read.trajectories = parameters.text("trajectories", "");
+  read.robot_series = parameters.text("robot_series", "");
+  read.robot_logs = parameters.text("robot_logs", "");
+  if (!read.robot_series.empty() && read.robot_series == read.trajectories) {
+    const std::string expected = "expected another folder than that of ~trajectories, got ";
+    parameters.complain("robot_series", expected + inQuotes(read.robot_series));
+  }
+}
+
 }  // namespace
 
 std::string realTimeFactorText(double factor) { return factor > 0.0 ? toText(factor) : FAST; }
@@ -97,7 +107,7 @@ ControllerParameters readControllerParameters(const ros::NodeHandle& private_nod
   read.publish_tf = parameters.flag("publish_tf", read.publish_tf);
   read.publish_clock = parameters.flag("publish_clock", read.publish_clock);
   readRobots(parameters, read);
-  read.trajectories = parameters.text("trajectories", "");
+  readRecordings(parameters, read);
   read.ends_launch = parameters.flag("ends_launch", read.ends_launch);
   parameters.finish();
   return read;

@@ -47,6 +47,8 @@ struct ControllerParameters {
   bool visible_people_only = false;  ///< ~visible_people_only: robots track people whom their scanners see, no others
   RobotMetricOptions robot_metrics;  ///< ~progress_distance [m], ~progress_time [s], ~stalled_speed [m/s]
   std::string trajectories;          ///< ~trajectories: folder of recordings; empty: none
+  std::string robot_series;          ///< ~robot_series: folder of time series of robots; empty: none
+  std::string robot_logs;            ///< ~robot_logs: folder of logs of robots; empty: none
   double diagnostic_period = DIAGNOSTIC_PERIOD;  ///< ~diagnostic_period [s]
   bool ends_launch = false;                      ///< ~ends_launch: end the parent roslaunch after the last episode
 };

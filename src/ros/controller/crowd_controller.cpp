@@ -84,23 +84,18 @@ void CrowdController::awaitShutdown(const Clock& deadline) {
 
 void CrowdController::useScenarios(ScenarioList scenarios, const std::string& name) {
   // What can fail is done before anything is replaced.
-  std::optional<TrajectoryFile> recording = beginRecording(name);
+  Recordings recordings(parameters_, name);
   for (const std::string& warning : scenarios.warnings()) ROS_WARN("%s", warning.c_str());
   scenarios_ = std::move(scenarios);
   scenario_name_ = name;
-  restart(std::move(recording));
+  restart(std::move(recordings));
 }
 
-std::optional<TrajectoryFile> CrowdController::beginRecording(const std::string& name) const {
-  if (parameters_.trajectories.empty()) return std::nullopt;
-  return TrajectoryFile(parameters_.trajectories, name);
-}
-
-void CrowdController::restart(std::optional<TrajectoryFile> recording) {
+void CrowdController::restart(Recordings recordings) {
   if (pending_steps_ != nullptr && pending_steps_->observe) finishSteps();  // robots of another episode would be driven
   instance_ = 0;
   headings_.clear();
-  trajectory_file_ = std::move(recording);
+  recordings_ = std::move(recordings);
   beginEpisode();
 }
 
@@ -143,8 +138,8 @@ void CrowdController::beginEpisode() {
   episode_ = std::make_unique<Episode>(nextScene(), next_episode_++, Vision(), thread_pool_, stop_);
   answers_.cancel();
   robots_.begin(*episode_);
-  trajectory_.clear();
-  if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
+  recordings_->begin();
+  recordings_->record(instance_, *episode_);
   next_tick_ = Clock::now();
   broadcaster_.advanceClock(episode_->scene().tick_duration);
   robots_.publish(broadcaster_.header().stamp, true);
@@ -162,7 +157,7 @@ void CrowdController::endEpisode() {
   broadcaster_.publishResult(result, episode_->number(), instance_, answers_.missedCount(), answers_.droppedCount());
   headings_ = result.headings();
   results_.add(result, episode_->number(), instance_, answers_);
-  if (trajectory_file_) trajectory_file_->append(trajectory_);
+  recordings_->finish();
   ++instance_;
   if (++ended_episodes_ != parameters_.episodes && robots_.awaitLast()) beginEpisode();
 }
@@ -195,7 +190,7 @@ void CrowdController::endTick() {
   robots_.observe();
   robots_.publish(broadcaster_.header().stamp, false);
   broadcaster_.publishClock();
-  if (trajectory_file_) appendTrajectoryRows(instance_, episode_->world(), trajectory_);
+  recordings_->record(instance_, *episode_);
   keepPace();
   observeSteps();
   if (!cut_off_ && episode_->isOver()) endEpisode();

@@ -20,6 +20,7 @@
 #include "ros/controller/controller_parameters.h"
 #include "ros/controller/controller_status.h"
 #include "ros/controller/crowd_broadcaster.h"
+#include "ros/controller/recordings.h"
 #include "ros/controller/result_log.h"
 #include "ros/node/diagnostics_publisher.h"
 #include "ros/node/main_loop.h"
@@ -28,7 +29,6 @@
 #include "ros/robots/robot_interface.h"
 #include "scenario/scenario.h"
 #include "simulation/episode.h"
-#include "simulation/evaluation/trajectory.h"
 
 namespace crowd {
 
@@ -69,11 +69,10 @@ class CrowdController final : private Decider {
   void use(const ControllerParameters& parameters);
   /// @param scenarios their first scene can be made with the present seed
   void useScenarios(ScenarioList scenarios, const std::string& name);
-  std::optional<TrajectoryFile> beginRecording(const std::string& name) const;
   /// Replaces the map of the running episode and of all later ones; logs an error and changes nothing if it is invalid.
   void takeMap(const nav_msgs::OccupancyGrid& message);
   Scene nextScene() const;
-  void restart(std::optional<TrajectoryFile> recording);
+  void restart(Recordings recordings);
   void beginEpisode();
   void endEpisode();
   void linger();
@@ -141,8 +140,7 @@ class CrowdController final : private Decider {
   std::unique_ptr<PendingSteps> pending_steps_;
   std::vector<std::promise<void>> waiting_for_rest_;
 
-  std::optional<TrajectoryFile> trajectory_file_;
-  std::string trajectory_;  // rows of the present episode
+  std::optional<Recordings> recordings_;  // of the present scenario
 
   ControllerStatusPublisher status_;
   const LiveParameters<ControllerParameters> live_ = liveControllerParameters();

@@ -80,9 +80,9 @@ void CrowdController::advertiseServices() {
     loop_.ask<void>([&] {
       const std::uint64_t seed = request.keep_seed != 0 ? seed_ : request.seed;
       scenarios_.scene(seed, 0, stop_);  // may throw; nothing has been replaced yet
-      std::optional<TrajectoryFile> recording = beginRecording(scenario_name_);
+      Recordings recordings(parameters_, scenario_name_);
       seed_ = seed;
-      restart(std::move(recording));
+      restart(std::move(recordings));
       response.message = "restarted " + scenario_name_ + ", seed " + std::to_string(seed_) + ": " + place();
     });
   });

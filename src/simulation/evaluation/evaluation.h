@@ -10,6 +10,7 @@
 #include "scenario/scenario.h"
 #include "simulation/episode.h"
 #include "simulation/episode_result.h"
+#include "simulation/evaluation/tick_recorder.h"
 
 namespace crowd {
 
@@ -42,11 +43,9 @@ struct EvaluationPlan {
 struct EvaluatedEpisode {
   std::uint64_t instance = 0;
   EpisodeResult result;
-  std::string trajectory;    ///< rows for TrajectoryFile, if requested
-  std::string states;        ///< rows below STATE_RECORD_HEADER, if requested
-  std::string robot_series;  ///< rows below robotSeriesHeader(), if requested
-  std::string robot_log;     ///< lines of a log of robots, if requested
-  std::string scene;         ///< initial scene as a document of a scenario file, if requested
+  TickRecorder::Records ticks;  ///< as far as requested
+  std::string states;           ///< rows below STATE_RECORD_HEADER, if requested
+  std::string scene;            ///< initial scene as a document of a scenario file, if requested
 };
 
 /// @brief A learner in demo mode with this table, for all agents.

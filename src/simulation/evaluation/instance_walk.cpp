@@ -6,10 +6,8 @@
 
 #include "scenario/writing/scene_document.h"
 #include "simulation/evaluation/people_delay.h"
-#include "simulation/evaluation/robot_log_record.h"
-#include "simulation/evaluation/robot_series.h"
 #include "simulation/evaluation/state_record.h"
-#include "simulation/evaluation/trajectory.h"
+#include "simulation/evaluation/tick_recorder.h"
 
 namespace crowd {
 namespace {
@@ -51,14 +49,11 @@ EvaluatedEpisode InstanceWalk::run(Scene scene, std::uint64_t instance) const {
 EvaluatedEpisode InstanceWalk::walk(Episode& episode) const {
   EvaluatedEpisode walked;
   walked.instance = episode.number();
-  RobotLogRecord log;
+  TickRecorder recorder({plan.record, plan.robot_series, plan.robot_log});
   EpisodeObserver observer;
   observer.on_tick = [&](const World& world) {
     if (on_tick) on_tick(world);
-    if (plan.record) appendTrajectoryRows(walked.instance, world, walked.trajectory);
-    if (plan.robot_log) log.append(episode, walked.robot_log);
-    if (!plan.robot_series) return;
-    appendRobotSeries(walked.instance, world.tick(), world.time(), episode.robotMonitor(), walked.robot_series);
+    recorder.record(walked.instance, episode);
   };
   if (plan.states) {
     observer.on_turn = [&](const Perceptions& perceptions) {
@@ -67,6 +62,7 @@ EvaluatedEpisode InstanceWalk::walk(Episode& episode) const {
   }
   RobotDrivers robots(plan.robot_controller, episode, learner);
   walked.result = runEpisode(episode, decider, observer, &robots);
+  walked.ticks = recorder.take();
   return walked;
 }
 

@@ -8,21 +8,6 @@
 namespace crowd {
 namespace {
 
-RobotLogHeader headerOf(const Episode& episode, const ObservedScene& observed) {
-  const Scene& scene = episode.scene();
-  RobotLogHeader header;
-  header.scenario = scene.name;
-  header.episode = episode.number();
-  header.map = scene.map_file;
-  header.tick_duration = scene.tick_duration;
-  header.walls = episode.world().walls().list();
-  header.gates = gateWalls(scene);
-  std::copy_if(observed.obstacles.begin(), observed.obstacles.end(), std::back_inserter(header.obstacles),
-               [](const ObservedObstacle& obstacle) { return !obstacle.moves; });
-  header.robots = scene.robots;
-  return header;
-}
-
 /// Keeps a value only if it is not the one that was last written.
 template <typename Value>
 void leaveOutIfSame(std::optional<Value>& written, std::optional<Value>& value) {
@@ -35,16 +20,46 @@ void leaveOutIfSame(std::optional<Value>& written, std::optional<Value>& value) 
 
 }  // namespace
 
-void RobotLogRecord::append(const Episode& episode, std::string& text) {
+void RobotLogRecord::append(std::uint64_t number, const Episode& episode, std::string& text) {
   const World& world = episode.world();
+  const bool has_header = hasHeaderFor(world.robots());
+  if (!has_header) {
+    headed_.clear();
+    for (const Robot& robot : world.robots()) headed_.emplace_back(robot.start.name, robot.goals_set);
+  }
   if (world.robots().empty()) return;
   scene_.observe(world);
-  if (world.tick() == 0) {
+  if (!has_header) {
     written_.clear();
     layout_changes_ = world.layoutChanges();
-    appendLogLine(headerOf(episode, scene_), text);
+    appendLogLine(headerOf(number, episode), text);
   }
   appendLogLine(tickOf(episode), text);
+}
+
+bool RobotLogRecord::hasHeaderFor(const Robots& robots) const {
+  return std::equal(headed_.begin(), headed_.end(), robots.begin(), robots.end(),
+                    [](const Headed& headed, const Robot& robot) {
+                      return headed.first == robot.start.name && headed.second == robot.goals_set;
+                    });
+}
+
+RobotLogHeader RobotLogRecord::headerOf(std::uint64_t number, const Episode& episode) const {
+  const Scene& scene = episode.scene();
+  RobotLogHeader header;
+  header.scenario = scene.name;
+  header.episode = number;
+  header.map = scene.map_file;
+  header.tick_duration = scene.tick_duration;
+  header.walls = episode.world().walls().list();
+  header.gates = gateWalls(scene);
+  std::copy_if(scene_.obstacles.begin(), scene_.obstacles.end(), std::back_inserter(header.obstacles),
+               [](const ObservedObstacle& obstacle) { return !obstacle.moves; });
+  for (const Robot& robot : episode.world().robots()) {
+    RobotStart& start = header.robots.emplace_back(robot.start);
+    start.goals.assign(robot.goals.begin() + static_cast<std::ptrdiff_t>(robot.next_goal), robot.goals.end());
+  }
+  return header;
 }
 
 RobotLogTick RobotLogRecord::tickOf(const Episode& episode) {
