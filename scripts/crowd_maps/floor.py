@@ -3,11 +3,11 @@ import pathlib
 
 import numpy
 import PIL.Image
-import yaml
+from crowd_drawing.errors import read_documents
 from crowd_experiments.arguments import add_file, parser_of
 from crowd_experiments.tools import REPOSITORY
 
-FLOORS = yaml.safe_load(pathlib.Path(__file__).with_name('floors.yaml').read_text(encoding='utf-8'))
+FLOORS = pathlib.Path(__file__).with_name('floors.yaml')
 RESOLUTION = 0.05  # [m]
 MARGIN = 0.5  # of unknown cells around the floor [m]
 OCCUPIED, UNKNOWN, FREE = 0, 205, 254  # grey values of map_server's map_saver
@@ -21,7 +21,7 @@ negate: 0
 EXAMPLE = '''Writes NAME.png and NAME.yaml for each, in the format of map_server.
 
 example:
-  scripts/draw_maps --output /tmp/maps'''
+  scripts/draw_maps --floors my_floors.yaml --output /tmp/maps'''
 
 
 def cells(metres):
@@ -49,12 +49,15 @@ class Floor:
 
 
 def main(words=None):
-    parser = parser_of('draw_maps', f"Draws the package's own maps: {', '.join(FLOORS)}.", EXAMPLE)
+    parser = parser_of('draw_maps', "Draws maps of floors: by default the package's own.", EXAMPLE)
+    add_file(parser, '--floors', default=FLOORS, help="sizes, walls and openings (default: the package's)")
     add_file(parser, '--output', default=REPOSITORY / 'config' / 'maps', metavar='FOLDER',
              help="folder of the maps (default: the package's config/maps)")
-    folder = parser.parse_args(words).output
+    arguments = parser.parse_args(words)
+    folder = arguments.output
+    floors, = read_documents(arguments.floors)
     folder.mkdir(parents=True, exist_ok=True)
-    for name, description in FLOORS.items():
+    for name, description in floors.items():
         floor = Floor(*description['size'])
         for entry in description['drawn']:
             for along in entry.get('at', [0]):

@@ -21,6 +21,8 @@ DRIVEN = {'move_base': {'navigation': 'move_base'},
 # Scenes that are driven if none is named.
 SCENES = ('robot_frontal', 'robot_overtaking', 'robot_corridor_against', 'robot_crossing', 'robot_intersection',
           'robot_blind_corner', 'robot_door', 'robot_obstruction', 'robot_crowd_10', 'robot_circle_20')
+# Arguments of robot_lab.launch that are options here.
+RECORDINGS = {'robot_series': 'time series', 'robot_logs': 'logs for learned metrics'}
 EXAMPLES = '''examples:
   scripts/drive_robots --config my_move_base --robots-csv mine.csv     your configuration in ten scenes
   scripts/drive_robots --robot move_base --episodes 5 --robots-csv /tmp/robots.csv robot_hall
@@ -54,6 +56,8 @@ def main(words=None):
     parser.add_argument('--seed', type=int, default=1, metavar='S', help='of placements (default: %(default)s)')
     add_file(parser, '--q-table', help='of the people (default: anticipation)')
     add_file(parser, '--robots-csv', required=True, help='results of the robots')
+    for kind, what in RECORDINGS.items():
+        add_file(parser, f'--{kind.replace("_", "-")}', metavar='FOLDER', help=f'folder for {what} of each scenario')
     parser.add_argument('scenarios', nargs='*', default=SCENES, metavar='SCENARIO',
                         help=f'scenario files, or names of scenarios of the package (default: {", ".join(SCENES)})')
     arguments = parser.parse_args(words)
@@ -63,6 +67,7 @@ def main(words=None):
         common['config'] = folder_of_parameters(arguments.config)
     if arguments.q_table:
         common['q_table'] = arguments.q_table.absolute()
+    common.update({kind: getattr(arguments, kind).absolute() for kind in RECORDINGS if getattr(arguments, kind)})
     counts = [require_robots(file) for file in files]
     settings = [{'scenario': file.absolute(), **DRIVEN[arguments.robot], **common} for file in files]
     if not shutil.which('roslaunch') or subprocess.run(['rospack', 'find', 'move_base'], stdout=subprocess.DEVNULL,

@@ -47,6 +47,16 @@ class ShippedMapsTest:
             # Pixels instead of bytes: versions of zlib may compress differently.
             assert pixels_of(runner.path(f'maps/{name}.png')) == pixels_of(f'{shipped}.png')
 
+    def test_floors_of_ones_own(self, runner):
+        """Those of research/crowded_robot are what the script draws, too."""
+        folder = pathlib.Path(in_package('research', 'crowd_studies', 'crowded'))
+        subprocess.run([in_package('scripts', 'draw_maps'), '--floors', folder / 'floors.yaml', '--output',
+                        runner.path('maps')], timeout=PATIENCE, check=True)
+        assert sorted(file.name for file in pathlib.Path(runner.path('maps')).iterdir()) == sorted(
+            file.name for file in (folder / 'maps').iterdir())
+        for name in ('hall', 'halls'):
+            assert pixels_of(runner.path(f'maps/{name}.png')) == pixels_of(folder / 'maps' / f'{name}.png')
+
     @pytest.mark.parametrize('name', SIZES)
     def test_size_and_origin(self, name):
         """A margin of 0.5 m surrounds the floor, whose lower left corner is the origin."""

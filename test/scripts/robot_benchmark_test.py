@@ -507,7 +507,7 @@ class DriveRobotsTest:
         assert refused.wait() == 1, refused.output()
         assert_says(refused.output(), 'drive_robots: move_base is not in the ROS environment')
 
-    def launched(self, runner, lines):
+    def launched(self, runner, lines, *words):
         """Starts the program with a shell script in place of roslaunch, which gets the file to record in $record, and
         an earlier record."""
         os.mkdir(runner.path('programs'))
@@ -517,13 +517,23 @@ class DriveRobotsTest:
         runner.write('robots.csv', 'earlier')
         runner.write('rows.csv', COLUMNS + ROWS)
         return self.drive(runner, in_package('config', 'scenarios', 'robots', 'robot_hall.yaml'), '--episodes', '4',
-                          environment={'PATH': runner.path('programs') + ':' + os.environ['PATH']})
+                          *words, environment={'PATH': runner.path('programs') + ':' + os.environ['PATH']})
 
     def test_a_complete_record_replaces_the_earlier_one(self, runner):
         driven = self.launched(runner, f'cp {runner.path("rows.csv")} "$record"\n')
         assert driven.wait() == 0, driven.output()
         assert read_text(runner.path('robots.csv')) == COLUMNS + ROWS
         assert not os.path.exists(runner.path('.robots.csv.part'))
+
+    def test_recordings(self, runner):
+        """Their folders are passed on as absolute paths."""
+        self.launched(runner, f'echo "$@" > {runner.path("words")}\n').wait()
+        assert 'robot_logs' not in read_text(runner.path('words'))
+        shutil.rmtree(runner.path('programs'))
+        self.launched(runner, f'echo "$@" > {runner.path("words")}\n', '--robot-logs', runner.path('logs'),
+                      '--robot-series', 'series').wait()
+        assert_says(read_text(runner.path('words')), f' robot_logs:={runner.path("logs")} ',
+                    f' robot_series:={os.path.join(os.getcwd(), "series")} ')
 
     @pytest.mark.parametrize('lines, said', [
         ('exit 1\n', ''), ('head -n 3 rows.csv > "$record"\n', '.robots.csv.part: expected 4 rows, got 2')])
