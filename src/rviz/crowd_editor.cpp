@@ -4,8 +4,10 @@
 #include <social_crowd/MoveObstacle.h>
 #include <social_crowd/RemoveAgent.h>
 #include <social_crowd/RemoveObstacle.h>
+#include <social_crowd/RemoveRobot.h>
 #include <social_crowd/SetGoal.h>
 #include <social_crowd/Teleport.h>
+#include <social_crowd/TeleportRobot.h>
 
 #include <algorithm>
 
@@ -42,11 +44,14 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
     : parameters_(readEditorParameters(private_node)),
       node_(loop_.adopt(node)),
       states_(boost::make_shared<social_crowd::AgentStates>()),
+      robots_(boost::make_shared<social_crowd::RobotStates>()),
       server_(names::EDITOR, "", HAS_THREAD) {
   subscribers_ = {node_.subscribe<social_crowd::Scenario>(names::SCENARIO, SHORT_QUEUE,
                                                           [this](const auto& message) { takeScenario(*message); }),
                   node_.subscribe<social_crowd::AgentStates>(names::AGENTS, SHORT_QUEUE,
                                                              [this](const auto& message) { takeStates(message); }),
+                  node_.subscribe<social_crowd::RobotStates>(names::ROBOTS, SHORT_QUEUE,
+                                                             [this](const auto& message) { robots_ = message; }),
                   node_.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, SHORT_QUEUE,
                                                    [this](const auto& message) { chosen_agent_ = message->data; }),
                   node_.subscribe<geometry_msgs::PoseStamped>(names::CHOSEN_AGENT_GOAL, SHORT_QUEUE,
@@ -56,6 +61,7 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
 }
 
 void CrowdEditor::takeScenario(const social_crowd::Scenario& scenario) {
+  if (scenario.robots.empty()) robots_ = boost::make_shared<social_crowd::RobotStates>();  // it publishes none
   if (scenario.episode == states_->episode && !states_->agents.empty()) return;
   takeStates(statesAtStart(scenario));
 }
@@ -70,7 +76,7 @@ void CrowdEditor::run() {
 }
 
 void CrowdEditor::update() {
-  const EditorHandles handles = handlesOf(*states_, parameters_.most_handles, chosen_agent_, removals_);
+  const EditorHandles handles = handlesOf(*states_, *robots_, parameters_.most_handles, chosen_agent_, removals_);
   // Feedback to handles that are gone must not be taken for that to others of the same number.
   const bool has_lost =
       std::any_of(shown_.begin(), shown_.end(), [&](const auto& handle) { return handles.count(handle.first) == 0; });
@@ -173,6 +179,14 @@ void CrowdEditor::drop(const std::string& name, const Vector2& place) {
     request.pose.theta = handle.heading;
     return call<social_crowd::Teleport>(parameters_.controller, names::TELEPORT, request, name);
   }
+  if (handle.kind == Kind::ROBOT) {
+    social_crowd::TeleportRobot::Request request;
+    request.robot = handle.name;
+    request.pose.x = place.x();
+    request.pose.y = place.y();
+    request.pose.theta = handle.heading;
+    return call<social_crowd::TeleportRobot>(parameters_.controller, names::TELEPORT_ROBOT, request, name);
+  }
   if (handle.kind == Kind::GOAL) {
     social_crowd::SetGoal::Request request;
     request.agent = handle.number;
@@ -196,6 +210,11 @@ void CrowdEditor::choose(const std::string& name, EditorEntry entry) {
     social_crowd::RemoveObstacle::Request request;
     request.obstacle = handle.number;
     return call<social_crowd::RemoveObstacle>(parameters_.controller, names::REMOVE_OBSTACLE, request, name);
+  }
+  if (handle.kind == Kind::ROBOT) {
+    social_crowd::RemoveRobot::Request request;
+    request.robot = handle.name;
+    return call<social_crowd::RemoveRobot>(parameters_.controller, names::REMOVE_ROBOT, request, name);
   }
   social_crowd::RemoveAgent::Request request;
   request.agent = handle.number;

@@ -4,6 +4,7 @@
 #include <interactive_markers/interactive_marker_server.h>
 #include <ros/ros.h>
 #include <social_crowd/AgentStates.h>
+#include <social_crowd/RobotStates.h>
 #include <social_crowd/Scenario.h>
 #include <std_msgs/Int32.h>
 
@@ -23,15 +24,15 @@ struct EditorParameters {
   std::string controller = "crowd_controller";  ///< ~controller: name of the crowd controller
   std::string markers = "crowd_markers";        ///< ~markers: name of the node that shows an agent
   double rate = 10.0;                           ///< ~rate: of the handles [Hz], wall clock
-  std::size_t most_handles = 60;                ///< ~max_handles: agents, and obstacles, that have handles at most
+  std::size_t most_handles = 60;  ///< ~max_handles: agents, obstacles, and robots, that have handles at most
 };
 
 /// @throws InputError that lists all invalid parameters
 EditorParameters readEditorParameters(const ros::NodeHandle& private_node);
 
-/// @brief Node with which a user moves agents, goals and obstacles in RViz: it publishes an interactive marker for
-/// each, and calls services of the crowd controller when one is dropped. It also passes goals on `chosen_agent/goal`
-/// (2D Nav Goal in RViz) to the chosen agent.
+/// @brief Node with which a user moves agents, goals, obstacles and robots in RViz: it publishes an interactive marker
+/// for each, and calls services of the crowd controller when one is dropped. It also passes goals on
+/// `chosen_agent/goal` (2D Nav Goal in RViz) to the chosen agent.
 class CrowdEditor {
  public:
   /// @throws InputError that lists invalid parameters
@@ -67,6 +68,7 @@ class CrowdEditor {
   MainLoop loop_;
   ros::NodeHandle node_;
   social_crowd::AgentStates::ConstPtr states_;
+  social_crowd::RobotStates::ConstPtr robots_;
   std::int64_t chosen_agent_ = -1;
   std::uint64_t removals_ = 0;  // number of times that obstacles were removed
   EditorHandles shown_;

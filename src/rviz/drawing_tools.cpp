@@ -5,10 +5,12 @@
 #include <social_crowd/AddWall.h>
 #include <social_crowd/SpawnAgent.h>
 #include <social_crowd/SpawnObstacle.h>
+#include <social_crowd/SpawnRobot.h>
 
 #include <cmath>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "common/text/numbers.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
 
@@ -29,12 +31,12 @@ rviz::FloatProperty* limited(rviz::FloatProperty* property, float least, float m
   return property;
 }
 
-rviz::FloatProperty* speedProperty(rviz::Property* parent) {
-  return limited(new rviz::FloatProperty("Max speed", 1.3F, "[m/s]", parent), 0.01F, 100.0F);
+rviz::FloatProperty* speedProperty(rviz::Property* parent, float speed = 1.3F) {
+  return limited(new rviz::FloatProperty("Max speed", speed, "[m/s]", parent), 0.01F, 100.0F);
 }
 
-rviz::FloatProperty* bodyRadiusProperty(rviz::Property* parent) {
-  return limited(new rviz::FloatProperty("Radius", 0.25F, "Of the body [m]", parent), LEAST_RADIUS, MOST_RADIUS);
+rviz::FloatProperty* bodyRadiusProperty(rviz::Property* parent, float radius = 0.25F) {
+  return limited(new rviz::FloatProperty("Radius", radius, "Of the body [m]", parent), LEAST_RADIUS, MOST_RADIUS);
 }
 
 FloorOutline agentOutline(const Vector2& from, const Vector2& to, double radius) {
@@ -67,6 +69,25 @@ void AddAgentTool::finish(const Vector2& from, const Vector2& to) {
   request.max_speed = max_speed_->getFloat();
   request.radius = radius_->getFloat();
   call<social_crowd::SpawnAgent>(names::SPAWN_AGENT, request);
+}
+
+AddRobotTool::AddRobotTool()
+    : FloorTool("Add robot",
+                "<b>Press</b> where the robot is to stand, <b>release</b> at its goal. Right button: abandon"),
+      max_speed_(speedProperty(getPropertyContainer(), 1.0F)),
+      radius_(bodyRadiusProperty(getPropertyContainer(), 0.3F)) {}
+
+FloorOutline AddRobotTool::outline(const Vector2& from, const Vector2& to) const {
+  return agentOutline(from, to, radius_->getFloat());
+}
+
+void AddRobotTool::finish(const Vector2& from, const Vector2& to) {
+  const auto place = [](const Vector2& point) { return "[" + toText(point.x()) + ", " + toText(point.y()) + "]"; };
+  social_crowd::SpawnRobot::Request request;
+  request.robot = "{position: " + place(from) + ", radius: " + toText(double{radius_->getFloat()}) +
+                  ", max_speed: " + toText(double{max_speed_->getFloat()}) +
+                  (isClick(from, to) ? "" : ", goal: " + place(to)) + "}";
+  call<social_crowd::SpawnRobot>(names::SPAWN_ROBOT, request);
 }
 
 AddObstacleTool::AddObstacleTool()
@@ -149,5 +170,6 @@ void AddGateTool::finish(const Vector2& from, const Vector2& to) {
 PLUGINLIB_EXPORT_CLASS(crowd::AddAgentTool, rviz::Tool)
 PLUGINLIB_EXPORT_CLASS(crowd::AddGateTool, rviz::Tool)
 PLUGINLIB_EXPORT_CLASS(crowd::AddObstacleTool, rviz::Tool)
+PLUGINLIB_EXPORT_CLASS(crowd::AddRobotTool, rviz::Tool)
 PLUGINLIB_EXPORT_CLASS(crowd::AddSourceTool, rviz::Tool)
 PLUGINLIB_EXPORT_CLASS(crowd::DrawWallTool, rviz::Tool)

@@ -19,6 +19,20 @@ class AddAgentTool : public FloorTool {
   rviz::FloatProperty* radius_;     // [m]
 };
 
+/// @brief Tool `social_crowd/AddRobot`: press where the robot is to stand, release at its goal; after a click it has no
+/// goal.
+class AddRobotTool : public FloorTool {
+ public:
+  AddRobotTool();
+
+ private:
+  FloorOutline outline(const Vector2& from, const Vector2& to) const override;
+  void finish(const Vector2& from, const Vector2& to) override;
+
+  rviz::FloatProperty* max_speed_;  // [m/s]
+  rviz::FloatProperty* radius_;     // [m]
+};
+
 /// @brief Tool `social_crowd/AddSource`: press where its agents are to appear, release at their goal.
 class AddSourceTool : public FloorTool {
  public:

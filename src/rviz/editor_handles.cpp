@@ -63,9 +63,14 @@ std::size_t countMovable(const social_crowd::AgentStates& states) {
   return static_cast<std::size_t>(std::count_if(states.obstacles.begin(), states.obstacles.end(), is_movable));
 }
 
-EditorHandles handlesOf(const social_crowd::AgentStates& states, std::size_t most, std::int64_t chosen_agent,
-                        std::uint64_t removals) {
+EditorHandles handlesOf(const social_crowd::AgentStates& states, const social_crowd::RobotStates& robots,
+                        std::size_t most, std::int64_t chosen_agent, std::uint64_t removals) {
   EditorHandles handles;
+  for (const social_crowd::RobotState& robot : robots.robots) {
+    if (robots.robots.size() > most) break;
+    handles["robot_" + robot.name] = {Kind::ROBOT,      robot.robot,  {robot.pose.x, robot.pose.y},
+                                      robot.pose.theta, robot.radius, robot.name};
+  }
   const auto walking =
       static_cast<std::size_t>(std::count_if(states.agents.begin(), states.agents.end(), [](const AgentState& agent) {
         return agent.status == AgentState::WALKING;
@@ -102,7 +107,7 @@ InteractiveMarker markerOf(const std::string& name, const EditorHandle& handle) 
   marker.scale = static_cast<float>(2.0 * handle.radius);
   marker.controls.push_back(controlOf(handle));
   if (handle.kind != Kind::GOAL) marker.menu_entries.push_back(entryOf(EditorEntry::REMOVE, "Remove " + name));
-  if (handle.kind != Kind::OBSTACLE) {
+  if (handle.kind == Kind::AGENT || handle.kind == Kind::GOAL) {
     marker.menu_entries.push_back(entryOf(EditorEntry::SHOW, "Show agent " + std::to_string(handle.number)));
   }
   return marker;

@@ -128,6 +128,22 @@ class CrowdEditorTest(ControllerTestCase):
         self.send('agent_0', InteractiveMarkerFeedback.MENU_SELECT, entry=1)
         self.wait_state(lambda state: state.agents[0].status == 2, 'the removed agent')
 
+    def test_robots_are_moved_and_removed(self):
+        """Also while the crowd is paused."""
+        self.start_editor()
+        self.wait_names(*self.ALL)
+        for name, y in (('tug', 5.0), ('cart', 15.0)):
+            self.do('spawn_robot', robot=f'{{name: {name}, position: [0, {y}], radius: 0.3, max_speed: 1}}')
+        self.wait_names(*self.ALL, 'robot_tug', 'robot_cart')
+        self.drag('robot_tug', 5.0, 6.0)
+        support.wait_for(lambda: self.moves_of('robot_tug') and self.pose_of('robot_tug') == (5.0, 6.0), 'the place')
+        self.drag('robot_cart', 0.0, 30.0)  # in the obstacle
+        support.wait_for(lambda: self.pose_of('robot_cart') == (0.0, 15.0) and self.moves_of('robot_cart'),
+                         'the marker that is put back')
+        for name in ('tug', 'cart'):
+            self.send(f'robot_{name}', InteractiveMarkerFeedback.MENU_SELECT, entry=1)
+        self.wait_names(*self.ALL)
+
     def test_of_many_agents_the_chosen_one_has_markers(self):
         self.start_editor(max_handles=1)
         self.wait_names('agent_0', 'goal_0', 'obstacle_0')

@@ -7,7 +7,7 @@ import time
 import support
 from controlling import ControllerTestCase
 from screens import DrivenRviz, Screen
-from social_crowd.msg import Walls
+from social_crowd.msg import RobotStates, Walls
 
 # The centre of the scene is the origin, so it is in the middle of the view.
 SCENE = """
@@ -117,6 +117,26 @@ class DrawingTest(ToolsTestCase):
         self.assert_close(walls.walls[0].from_, (-1, 1))
         self.do('set_gate', gate='gate_0', open=True)
         self.walls.wait(lambda message: not message.walls, 'without it')
+
+    def test_robots_are_added(self):
+        """The second one by a click, without a goal."""
+        states = self.listen('robots', RobotStates)
+        self.rviz.click('Add robot')
+        self.drag((-2, 2), (2, 2))
+        robot = self.newest_robots(states, 1)[0]
+        self.assertEqual(robot.name, 'robot_0')
+        self.assert_close(robot.pose, (-2, 2))
+        self.assert_close(robot.goal, (2, 2))
+        self.assertAlmostEqual(robot.radius, 0.3, places=6)
+        self.drag((-1, -2), (-1, -2))
+        robot = self.newest_robots(states, 2)[1]
+        self.assertEqual((robot.name, robot.has_goal), ('robot_1', False))
+        self.assert_close(robot.pose, (-1, -2))
+
+    def newest_robots(self, states, count):
+        """Waits until there are so many robots. Returns their states."""
+        return support.wait_for(lambda: states.messages and len(states.messages[-1].robots) == count and
+                                states.messages[-1].robots, f'{count} robots')
 
     def test_right_button_abandons(self):
         self.rviz.click('Draw wall')

@@ -165,6 +165,7 @@ void CrowdController::endEpisode() {
 void CrowdController::waitWhilePaused() {
   while (!loop_.isClosed() && !mayWalk()) {
     broadcaster_.publishAgentsNow(*episode_);
+    robots_.publishChanges();
     noteRest();
     loop_.run(IDLE);
     next_tick_ = Clock::now();

@@ -3,7 +3,9 @@
 #include <social_crowd/RemoveRobot.h>
 #include <social_crowd/SpawnRobot.h>
 
+#include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "ros/controller/crowd_controller.h"
@@ -11,6 +13,17 @@
 #include "scenario/reading/robot_reader.h"
 
 namespace crowd {
+namespace {
+
+std::string newRobotName(const Robots& robots) {
+  for (std::size_t i = 0;; ++i) {
+    std::string name = "robot_" + std::to_string(i);
+    const auto has_it = [&](const Robot& robot) { return robot.start.name == name || robot.start.name_space == name; };
+    if (std::none_of(robots.begin(), robots.end(), has_it)) return name;
+  }
+}
+
+}  // namespace
 
 std::future<void> CrowdController::beginRobotSteps(
     const social_crowd::StepRobots::Request& request,
@@ -38,8 +51,9 @@ std::future<void> CrowdController::beginRobotSteps(
 void CrowdController::advertiseRobotServices() {
   services_.serve<social_crowd::SpawnRobot>(names::SPAWN_ROBOT, [this](const auto& request, auto& response) {
     loop_.ask<void>([&] {
-      const bool is_only = episode_->world().robots().empty();
-      const RobotStart start = readRobotStart(request.robot, episode_->scene().goal_tolerance, is_only);
+      const Robots& robots = episode_->world().robots();
+      const RobotStart start =
+          readRobotStart(request.robot, episode_->scene().goal_tolerance, robots.empty(), newRobotName(robots));
       robots_.add(start);
       response.message = "robot " + start.name + " added at " + place();
     });

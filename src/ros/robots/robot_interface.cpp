@@ -107,7 +107,7 @@ void RobotInterface::remove(const std::string& name) {
   topics_.erase(topics_.begin() + id);
   for (RobotId later = id; later < topics_.size(); ++later) topics_[later]->setId(later);
   noteRobots();
-  if (states_ && states_.getNumSubscribers() > 0) states_.publish(states(clock_()));
+  publishStates(clock_());  // also of none
 }
 
 void RobotInterface::noteRobots() {
@@ -226,7 +226,16 @@ void RobotInterface::publish(const ros::Time& now, bool begins) {
   transforms_.publish(robots(), *senses_, topics_, now);
   if (begins) transforms_.publishMounts(topics_, now);
   for (const auto& topics : topics_) topics->publish(episode_->world(), *senses_, now);
-  if (states_.getNumSubscribers() > 0) states_.publish(states(now));
+  publishStates(now);
+}
+
+void RobotInterface::publishChanges() {
+  if (!robots().empty() && published_changes_ != episode_->changes()) publishStates(clock_());
+}
+
+void RobotInterface::publishStates(const ros::Time& now) {
+  published_changes_ = episode_->changes();
+  if (states_ && states_.getNumSubscribers() > 0) states_.publish(states(now));
 }
 
 social_crowd::RobotStates RobotInterface::states(const ros::Time& now) const {

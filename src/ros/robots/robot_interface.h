@@ -47,6 +47,8 @@ class RobotInterface {
   void observe();
   /// @brief Publishes transforms, states and sensors. @param begins the episode begins
   void publish(const ros::Time& now, bool begins);
+  /// @brief Publishes the states if a user has changed the world since they were published last.
+  void publishChanges();
 
   const CommandCollector& commands() const { return commands_; }
   /// @brief Writes what the robots got from elsewhere in this episode.
@@ -77,6 +79,7 @@ class RobotInterface {
   bool change(RobotId robot, const char* what, const std::string& frame, const Change& change);
   void takeGoal(RobotId robot, const geometry_msgs::PoseStamped& goal);
   social_crowd::RobotStates states(const ros::Time& now) const;
+  void publishStates(const ros::Time& now);
 
   ros::NodeHandle node_;
   std::function<ros::Time()> clock_;
@@ -85,6 +88,7 @@ class RobotInterface {
   Episode* episode_ = nullptr;
   std::unique_ptr<RobotSenses> senses_;
   std::uint64_t scanned_changes_ = 0;                // Episode::changes() at the last scans
+  std::uint64_t published_changes_ = 0;              // the same at the last states
   std::vector<std::vector<RobotContact>> contacts_;  // by robot; empty: they are not collected
   CommandCollector commands_;
   PoseCollector poses_;

@@ -236,13 +236,15 @@ std::vector<RobotGroup> readRobots(const YamlMap& map, const Units& units, doubl
   return robots;
 }
 
-RobotStart readRobotStart(const std::string& entry, double goal_tolerance, bool is_only) {
+RobotStart readRobotStart(const std::string& entry, double goal_tolerance, bool is_only,
+                          const std::string& other_name) {
   YAML::Node node;
   try {
     node = YAML::Load(entry);
   } catch (const YAML::Exception& error) {
     throw InputError(std::string("robot: ") + error.what());
   }
+  if (node.IsMap() && !node["name"] && !other_name.empty()) node["name"] = other_name;
   const YamlPlace place = YamlPlace().child("robot");
   const RobotGroup group = readRobot(node, place, Units(), goal_tolerance, PopulationDescription());
   const bool is_fixed = group.position.isFixed() && (!group.heading || group.heading->isFixed()) &&

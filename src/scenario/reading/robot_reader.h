@@ -21,7 +21,9 @@ std::string readRobotName(const YamlMap& map, const std::string& key);
 /// @brief Reads the keys `radius` or `footprint` of a map. @throws InputError unless it has one of them
 void readFootprint(const YamlMap& map, Footprint& footprint);
 /// @brief Reads one robot, whose places and heading are fixed. @param entry of `robots`, in YAML @param goal_tolerance
-/// unless it has its own [m] @param is_only there is no other robot, so that it needs no namespace @throws InputError
-RobotStart readRobotStart(const std::string& entry, double goal_tolerance, bool is_only);
+/// unless it has its own [m] @param is_only there is no other robot, so that it needs no namespace @param other_name if
+/// it has none @throws InputError
+RobotStart readRobotStart(const std::string& entry, double goal_tolerance, bool is_only,
+                          const std::string& other_name = "");
 
 }  // namespace crowd
