@@ -44,7 +44,8 @@ def run_of(robot, scene, seed, config, output):
     parameters = [word for folder in [config] if folder for word in ('--config', folder.absolute())]
     command = [REPOSITORY / 'scripts' / 'drive_robots', '--robot', robot, *parameters, '--seed', seed, '--robots-csv',
                RECORD, '--robot-logs', LOGS, FLOORS / f'{scene}.yaml']
-    return Run(output / robot / f'{scene}_{seed}', [command], LONG)
+    texts = tuple(file.read_text(encoding='utf-8') for file in sorted(pathlib.Path(config).iterdir())) if config else ()
+    return Run(output / robot / f'{scene}_{seed}', [command], LONG, texts)
 
 
 def speeds_of(places, tick):

@@ -3,7 +3,7 @@ import pathlib
 
 import numpy
 import PIL.Image
-from crowd_drawing.errors import read_documents
+from crowd_drawing.errors import InputError, read_documents
 from crowd_experiments.arguments import add_file, parser_of
 from crowd_experiments.tools import REPOSITORY
 
@@ -48,6 +48,20 @@ class Floor:
         self.block(*box, FREE)
 
 
+def drawn(file, name, description):
+    """Returns the Floor of an entry of a file of floors. Throws InputError."""
+    try:
+        floor = Floor(*description['size'])
+        for entry in description['drawn']:
+            for along in entry.get('at', [0]):
+                left, bottom, right, top = entry.get('block') or entry['opening']
+                (floor.block if 'block' in entry else floor.opening)(left + along, bottom, right + along, top)
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        raise InputError(f'{file}: {name}: expected size: [WIDTH, HEIGHT] and drawn, a list of block or opening: '
+                         '[LEFT, BOTTOM, RIGHT, TOP], with at: [X, ...] if it is repeated [m]') from error
+    return floor
+
+
 def main(words=None):
     parser = parser_of('draw_maps', "Draws maps of floors: by default the package's own.", EXAMPLE)
     add_file(parser, '--floors', default=FLOORS, help="sizes, walls and openings (default: the package's)")
@@ -55,13 +69,9 @@ def main(words=None):
              help="folder of the maps (default: the package's config/maps)")
     arguments = parser.parse_args(words)
     folder = arguments.output
-    floors, = read_documents(arguments.floors)
+    floors = {name: drawn(arguments.floors, name, description)
+              for document in read_documents(arguments.floors) for name, description in (document or {}).items()}
     folder.mkdir(parents=True, exist_ok=True)
-    for name, description in floors.items():
-        floor = Floor(*description['size'])
-        for entry in description['drawn']:
-            for along in entry.get('at', [0]):
-                left, bottom, right, top = entry.get('block') or entry['opening']
-                (floor.block if 'block' in entry else floor.opening)(left + along, bottom, right + along, top)
+    for name, floor in floors.items():
         PIL.Image.fromarray(floor.rows[::-1]).save(folder / f'{name}.png', optimize=True)
         (folder / f'{name}.yaml').write_text(YAML.format(name=name), encoding='utf-8')

@@ -68,6 +68,8 @@ def main(words=None):
     if arguments.q_table:
         common['q_table'] = arguments.q_table.absolute()
     common.update({kind: getattr(arguments, kind).absolute() for kind in RECORDINGS if getattr(arguments, kind)})
+    if any(getattr(arguments, kind) for kind in RECORDINGS) and len({file.stem for file in files}) < len(files):
+        parser.error('two scenarios have the same name, and their recordings would be one file')
     counts = [require_robots(file) for file in files]
     settings = [{'scenario': file.absolute(), **DRIVEN[arguments.robot], **common} for file in files]
     if not shutil.which('roslaunch') or subprocess.run(['rospack', 'find', 'move_base'], stdout=subprocess.DEVNULL,

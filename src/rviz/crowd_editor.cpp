@@ -61,7 +61,9 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
 }
 
 void CrowdEditor::takeScenario(const social_crowd::Scenario& scenario) {
-  if (scenario.robots.empty()) robots_ = boost::make_shared<social_crowd::RobotStates>();  // it publishes none
+  if (scenario.robots.empty() && scenario.episode != robots_->episode) {  // without robots, no states are published
+    robots_ = boost::make_shared<social_crowd::RobotStates>();
+  }
   if (scenario.episode == states_->episode && !states_->agents.empty()) return;
   takeStates(statesAtStart(scenario));
 }

@@ -106,7 +106,8 @@ InteractiveMarker markerOf(const std::string& name, const EditorHandle& handle) 
   marker.pose = poseOf(handle);
   marker.scale = static_cast<float>(2.0 * handle.radius);
   marker.controls.push_back(controlOf(handle));
-  if (handle.kind != Kind::GOAL) marker.menu_entries.push_back(entryOf(EditorEntry::REMOVE, "Remove " + name));
+  const std::string title = handle.kind == Kind::ROBOT ? "robot " + handle.name : name;
+  if (handle.kind != Kind::GOAL) marker.menu_entries.push_back(entryOf(EditorEntry::REMOVE, "Remove " + title));
   if (handle.kind == Kind::AGENT || handle.kind == Kind::GOAL) {
     marker.menu_entries.push_back(entryOf(EditorEntry::SHOW, "Show agent " + std::to_string(handle.number)));
   }

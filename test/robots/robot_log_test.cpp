@@ -12,6 +12,7 @@
 #include "support/robot_episodes.h"
 #include "support/robot_logs.h"
 #include "support/seeds.h"
+#include "support/straight_walk.h"
 #include "support/temporary_folder.h"
 
 namespace crowd::robots::robot_log_test {
@@ -312,6 +313,52 @@ TEST(RobotLog, HasAHeaderWhereRobotsOrTheirGoalsChange) {
   scoring.on_episode = [&](const RobotLogReplay& replay) { scored += replay.results().size(); };
   scoreRobotLog(file, {}, scoring);
   EXPECT_EQ(scored, 6U);
+}
+
+/// Each tick begins a part, also the one in which the person arrives, about whom nothing is known there.
+TEST(RobotLog, PeopleMayArriveInTheFirstTickOfAPart) {
+  Scene made = with({robotTo({1.0, 5.0}, {0.0, 5.0})},
+                    straight_walk::sceneOf("agents: [{position: [0, 0], goal: [0.6, 0], speed: 1, radius: 0.2}]\n"));
+  Episode episode(made, 0, Vision());
+  RobotLogRecord record;
+  std::string log;
+  record.append(0, episode, log);
+  while (episode.world().activeCount() > 0U) {
+    ASSERT_LT(episode.world().tick(), 100U);
+    episode.edit().sendRobot(0, {3.0, 5.0 + 0.01 * static_cast<double>(episode.world().tick())});
+    straight_walk::step(episode);
+    record.append(0, episode, log);
+  }
+  const TemporaryFolder folder;
+  std::size_t parts = 0;
+  LogScoring scoring;
+  scoring.on_episode = [&](const RobotLogReplay& /*replay*/) { ++parts; };
+  scoreRobotLog(folder.write("log.jsonl", log), {}, scoring);
+  EXPECT_EQ(parts, episode.world().tick() + 1U);
+}
+
+/// A robot is replaced by a larger one of its name.
+TEST(RobotLog, HasAHeaderForAnotherRobotOfTheSameName) {
+  Scene made = with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({}));
+  made.robots[0].name = "tug";
+  Episode episode(made, 0, Vision());
+  RobotLogRecord record;
+  std::string log;
+  record.append(0, episode, log);
+  RobotStart larger = episode.world().robots()[0].start;
+  larger.footprint.radius += 0.2;
+  episode.edit().removeRobot(0);
+  episode.edit().addRobot(larger);
+  episode.step({});
+  record.append(0, episode, log);
+  std::vector<double> radii;
+  const TemporaryFolder folder;
+  readRobotLog(
+      folder.write("log.jsonl", log),
+      [&](const RobotLogHeader& header) { radii.push_back(header.robots.at(0).footprint.radius); },
+      [](const RobotLogTick&) {});
+  ASSERT_EQ(radii.size(), 2U);
+  EXPECT_DOUBLE_EQ(radii[1], radii[0] + 0.2);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ class RosrunTest:
     """rosrun social_crowd PROGRAM."""
 
     @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'convert_trajectories',
-                                      'draw_q_table', 'drive_robots', 'film', 'goal_sender', 'learner_crew',
+                                      'crowded_robot', 'draw_q_table', 'drive_robots', 'film', 'goal_sender', 'learner_crew',
                                       'pedsim_import', 'plot_learning', 'record_robots', 'replay', 'report',
                                       'reproduce', 'robot_benchmark', 'robot_crew', 'show_crowd', 'sweep', 'validate'])
     def test_names_are_unique(self, runner, name):

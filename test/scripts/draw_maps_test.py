@@ -57,6 +57,17 @@ class ShippedMapsTest:
         for name in ('hall', 'halls'):
             assert pixels_of(runner.path(f'maps/{name}.png')) == pixels_of(folder / 'maps' / f'{name}.png')
 
+    @pytest.mark.parametrize('text', ['hall: {size: [3, 2]}', 'hall: {size: 3, drawn: []}', 'hall: [1]',
+                                      'hall: {size: [3, 2], drawn: [{block: [1, 1]}]}'])
+    def test_bad_floors_name_file_and_place(self, runner, text):
+        file = pathlib.Path(runner.path('floors.yaml'))
+        file.write_text(text, encoding='utf-8')
+        done = subprocess.run([in_package('scripts', 'draw_maps'), '--floors', file, '--output', runner.path('maps')],
+                              timeout=PATIENCE, check=False, capture_output=True, text=True)
+        assert done.returncode == 1
+        assert f'{file}: hall: expected size' in done.stderr
+        assert not pathlib.Path(runner.path('maps')).exists()
+
     @pytest.mark.parametrize('name', SIZES)
     def test_size_and_origin(self, name):
         """A margin of 0.5 m surrounds the floor, whose lower left corner is the origin."""

@@ -154,10 +154,10 @@ void CrowdController::endEpisode() {
   answers_.publishLast(*episode_, broadcaster_.header());
   EpisodeResult result = episode_->result();
   robots_.writeInput(result.robots);
+  recordings_->finish();  // who gets the result may read them
   broadcaster_.publishResult(result, episode_->number(), instance_, answers_.missedCount(), answers_.droppedCount());
   headings_ = result.headings();
   results_.add(result, episode_->number(), instance_, answers_);
-  recordings_->finish();
   ++instance_;
   if (++ended_episodes_ != parameters_.episodes && robots_.awaitLast()) beginEpisode();
 }

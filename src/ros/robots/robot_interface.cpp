@@ -44,7 +44,7 @@ void RobotInterface::begin(Episode& episode) {
   episode_ = &episode;
   senses_ = std::make_unique<RobotSenses>(episode.scene(), visible_people_only_);
   contacts_.clear();
-  scanned_changes_ = episode.changes();
+  scanned_changes_ = published_changes_ = episode.changes();
   commands_.begin(episode);
   for (RobotId id = 0; id < navigation_.size(); ++id) has_crashed_[id] = navigation_[id] == NAVIGATION_CRASHED;
   if (identitiesOf(robots()) != advertised_) advertise();

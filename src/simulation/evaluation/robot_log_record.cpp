@@ -18,6 +18,20 @@ void leaveOutIfSame(std::optional<Value>& written, std::optional<Value>& value) 
   }
 }
 
+/// Leaves out people who have left in the tick: in a part of a log that begins with it, nothing is known about them.
+void leaveOutTheGone(RobotLogTick& tick) {
+  tick.arrived.clear();
+  const auto is_gone = [&](const RobotContact& contact) {
+    return std::none_of(tick.people.begin(), tick.people.end(),
+                        [&](const LoggedPerson& person) { return person.id == contact.agent; });
+  };
+  for (LoggedRobot& robot : tick.robots) {
+    if (!robot.contacts) continue;
+    robot.contacts->erase(std::remove_if(robot.contacts->begin(), robot.contacts->end(), is_gone),
+                          robot.contacts->end());
+  }
+}
+
 }  // namespace
 
 void RobotLogRecord::append(std::uint64_t number, const Episode& episode, std::string& text) {
@@ -25,7 +39,7 @@ void RobotLogRecord::append(std::uint64_t number, const Episode& episode, std::s
   const bool has_header = hasHeaderFor(world.robots());
   if (!has_header) {
     headed_.clear();
-    for (const Robot& robot : world.robots()) headed_.emplace_back(robot.start.name, robot.goals_set);
+    for (const Robot& robot : world.robots()) headed_.push_back({robot.start, robot.goals_set});
   }
   if (world.robots().empty()) return;
   scene_.observe(world);
@@ -34,14 +48,19 @@ void RobotLogRecord::append(std::uint64_t number, const Episode& episode, std::s
     layout_changes_ = world.layoutChanges();
     appendLogLine(headerOf(number, episode), text);
   }
-  appendLogLine(tickOf(episode), text);
+  RobotLogTick tick = tickOf(episode);
+  if (!has_header && world.tick() > 0) leaveOutTheGone(tick);
+  appendLogLine(tick, text);
 }
 
 bool RobotLogRecord::hasHeaderFor(const Robots& robots) const {
-  return std::equal(headed_.begin(), headed_.end(), robots.begin(), robots.end(),
-                    [](const Headed& headed, const Robot& robot) {
-                      return headed.first == robot.start.name && headed.second == robot.goals_set;
-                    });
+  return std::equal(
+      headed_.begin(), headed_.end(), robots.begin(), robots.end(), [](const Headed& headed, const Robot& robot) {
+        const RobotStart& start = headed.start;
+        return headed.goals_set == robot.goals_set && start.name == robot.start.name &&
+               start.goals == robot.start.goals && start.footprint.radius == robot.start.footprint.radius &&
+               start.footprint.corners == robot.start.footprint.corners;
+      });
 }
 
 RobotLogHeader RobotLogRecord::headerOf(std::uint64_t number, const Episode& episode) const {

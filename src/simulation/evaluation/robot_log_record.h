@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "robots/log/robot_log.h"
@@ -25,8 +24,11 @@ class RobotLogRecord {
   RobotLogTick tickOf(const Episode& episode);
   LoggedPerson personOf(const Episode& episode, const ObservedPerson& observed);
 
-  /// Name and Robot::goals_set.
-  using Headed = std::pair<std::string, std::uint64_t>;
+  /// A robot as of the last header.
+  struct Headed {
+    RobotStart start;
+    std::uint64_t goals_set;
+  };
 
   ObservedScene scene_;                      // scratch
   std::vector<Headed> headed_;               // robots of the last header
