@@ -285,7 +285,8 @@ walls:'''
         support.wait_for(lambda: self.walk().pose.x > before, 'that the other one still takes commands')
         self.assertEqual([robot.name for robot in self.states.messages[-1].robots], ['cart'])
         for number in range(2):
-            self.succeed('crowd_controller/spawn_robot', robot=f'{{position: [-3, {number}], radius: 0.2, max_speed: 1}}')
+            self.succeed('crowd_controller/spawn_robot',
+                         robot=f'{{position: [-3, {number}], radius: 0.2, max_speed: 1}}')
         self.walk()
         self.assertEqual([robot.name for robot in self.states.messages[-1].robots], ['cart', 'robot_0', 'robot_1'])
         self.succeed('crowd_controller/reset', keep_seed=True)

@@ -66,9 +66,10 @@ class RosrunTest:
     """rosrun social_crowd PROGRAM."""
 
     @pytest.mark.parametrize('name', ['train', 'evaluate', 'plot_paths', 'compare', 'convert_trajectories',
-                                      'crowded_robot', 'draw_q_table', 'drive_robots', 'film', 'goal_sender', 'learner_crew',
-                                      'pedsim_import', 'plot_learning', 'record_robots', 'replay', 'report',
-                                      'reproduce', 'robot_benchmark', 'robot_crew', 'show_crowd', 'sweep', 'validate'])
+                                      'crowded_robot', 'draw_q_table', 'drive_robots', 'film', 'goal_sender',
+                                      'learner_crew', 'pedsim_import', 'plot_learning', 'record_robots', 'replay',
+                                      'report', 'reproduce', 'robot_benchmark', 'robot_crew', 'show_crowd', 'sweep',
+                                      'validate'])
     def test_names_are_unique(self, runner, name):
         status, output = run_here(runner, 'rosrun', 'social_crowd', name, '--help')
         assert status == 0, output
