@@ -147,7 +147,7 @@ class ArgumentsTest(LaunchTestCase):
 
     def test_default_words_set_no_parameter(self):
         """No parameter is set to such a word. An empty argument has the same effect."""
-        for file, count in (('demo.launch', 5), ('train.launch', 8)):
+        for file, count in (('demo.launch', 7), ('train.launch', 8)):
             words = self.words_of(file)
             self.assertEqual(len(words), count, words)
             parameters = self.parameters('social_crowd', file, 'output:=table.txt')
