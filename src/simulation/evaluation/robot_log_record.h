@@ -27,7 +27,7 @@ class RobotLogRecord {
   /// A robot as of the last header.
   struct Headed {
     RobotStart start;
-    std::uint64_t goals_set;
+    std::uint64_t goals_set = 0;
   };
 
   ObservedScene scene_;                      // scratch
