@@ -10,7 +10,7 @@ from crowd_experiments.tools import REPOSITORY, build_folder, programs_in
 from crowd_mutants.program import run
 
 LEAST = (95.0, 85.0)  # of lines and branches [%]
-# They repeat what others test, in so many random cases that they take half of the time.
+# Left out: other tests execute the same code with fewer random cases.
 LONG_TESTS = ('BrakingWorlds.PreventsAllContactsWithinTheLimits', 'DistributedCrowd.WalksAsOneEpisodeInSolidWorlds',
               'MergeCopies.StaysInTheRangeOfOldValueAndTargets',
               'RobotSeparation.AgentsNeverMoveIntoRobotsNorIntoTheirReach',
@@ -18,8 +18,8 @@ LONG_TESTS = ('BrakingWorlds.PreventsAllContactsWithinTheLimits', 'DistributedCr
 EPILOG = f'''
 Builds the core without optimisation in a folder of its own, runs the unit tests of the existing build (scripts/build
 --tests) with it, two at a time, and prints what gcovr (in Debian: gcovr) counts, by folder of src/. Not counted are
-branches that the compiler adds for exceptions, those of lines without code, and what only these tests execute, which
-take half of the time:
+branches that the compiler adds for exceptions, those of lines without code, and what only these long
+tests execute:
   {"""
   """.join(LONG_TESTS)}
 Lines that were not executed are named in lines.txt in the folder, branches in branches.txt.

@@ -315,7 +315,7 @@ TEST(RobotLog, HasAHeaderWhereRobotsOrTheirGoalsChange) {
   EXPECT_EQ(scored, 6U);
 }
 
-/// Each tick begins a part, also the one in which the person arrives, about whom nothing is known there.
+/// Each tick begins a part. The part that begins when the person arrives does not have this person.
 TEST(RobotLog, PeopleMayArriveInTheFirstTickOfAPart) {
   Scene made = with({robotTo({1.0, 5.0}, {0.0, 5.0})},
                     straight_walk::sceneOf("agents: [{position: [0, 0], goal: [0.6, 0], speed: 1, radius: 0.2}]\n"));

@@ -134,7 +134,7 @@ class DrawingTest(ToolsTestCase):
         self.assert_close(robot.pose, (-1, -2))
 
     def newest_robots(self, states, count):
-        """Waits until there are so many robots. Returns their states."""
+        """Waits until there are `count` robots. Returns their states."""
         return support.wait_for(lambda: states.messages and len(states.messages[-1].robots) == count and
                                 states.messages[-1].robots, f'{count} robots')
 

@@ -154,7 +154,7 @@ void CrowdController::endEpisode() {
   answers_.publishLast(*episode_, broadcaster_.header());
   EpisodeResult result = episode_->result();
   robots_.writeInput(result.robots);
-  recordings_->finish();  // who gets the result may read them
+  recordings_->finish();  // before the result: its subscribers may read the files
   broadcaster_.publishResult(result, episode_->number(), instance_, answers_.missedCount(), answers_.droppedCount());
   headings_ = result.headings();
   results_.add(result, episode_->number(), instance_, answers_);

@@ -107,7 +107,7 @@ void RobotInterface::remove(const std::string& name) {
   topics_.erase(topics_.begin() + id);
   for (RobotId later = id; later < topics_.size(); ++later) topics_[later]->setId(later);
   noteRobots();
-  publishStates(clock_());  // also of none
+  publishStates(clock_());  // also if no robot is left
 }
 
 void RobotInterface::noteRobots() {
