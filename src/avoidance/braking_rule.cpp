@@ -133,29 +133,34 @@ void BrakingRule::cut(MoveBlock* moves, std::size_t count) const {
 }
 
 RelativeAction BrakingRule::actionTowards(const CandidateMove& move) const {
-  const double max_speed = seen_.self.max_speed;
-  const Vector2 velocity = velocityTowards(velocityOf(move));
-  if (velocity != Vector2::Zero()) return {bearingOf(velocity), std::min(1.0, velocity.norm() / max_speed)};
+  return actionWith(velocityTowards(velocityOf(move)), move);
+}
+
+RelativeAction BrakingRule::actionTowards(const CandidateMove& preferred, const CandidateMove& fallback) const {
+  const Vector2 velocity = reachTowards(velocityOf(preferred)).at(1.0);
+  bool is_free = true;
+  forEachLimit(seen_.motion.reach(velocity.norm(), seen_.tick_duration),
+               [&](const Limit& limit) { is_free = is_free && isWithin(limit, velocity); });
+  return is_free ? actionWith(velocity, preferred) : actionTowards(fallback);
+}
+
+RelativeAction BrakingRule::actionWith(const Vector2& velocity, const CandidateMove& move) const {
+  if (velocity != Vector2::Zero()) return {bearingOf(velocity), std::min(1.0, velocity.norm() / seen_.self.max_speed)};
   if (move.fraction <= 0.0) return {0.0, 0.0};
   // It turns on the spot before it walks.
   const double most = std::min(PI, seen_.motion.turn_rate * seen_.tick_duration);
   return {std::clamp(bearingOf(move.direction), -most, most), 0.0};
 }
 
-bool BrakingRule::isFree(const CandidateMove& move) const {
-  const Vector2 reached = seen_.motion.reachable(seen_.self.velocity, velocityOf(move), seen_.tick_duration);
-  bool is_free = true;
-  forEachLimit(seen_.motion.reach(reached.norm(), seen_.tick_duration),
-               [&](const Limit& limit) { is_free = is_free && isWithin(limit, reached); });
-  return is_free;
+BrakingRule::Reach BrakingRule::reachTowards(const Vector2& wanted) const {
+  return {seen_.motion.reachable(seen_.self.velocity, wanted, seen_.tick_duration),
+          seen_.motion.braked(seen_.self.velocity, seen_.tick_duration)};
 }
 
 Vector2 BrakingRule::velocityTowards(const Vector2& wanted) const {
-  const MotionLimits& motion = seen_.motion;
-  const Vector2 reached = motion.reachable(seen_.self.velocity, wanted, seen_.tick_duration);
-  const Vector2 braked = motion.braked(seen_.self.velocity, seen_.tick_duration);
-  // The velocities that can be reached are convex, so that all between these two can.
-  const double reach = motion.reach(std::max(reached.norm(), braked.norm()), seen_.tick_duration);
+  const Reach between = reachTowards(wanted);
+  const double fastest = std::max(between.reached.norm(), between.braked.norm());
+  const double reach = seen_.motion.reach(fastest, seen_.tick_duration);
   double share = 1.0;
   double checked_share = 0.0;
   bool is_any_sudden = false;
@@ -163,10 +168,10 @@ Vector2 BrakingRule::velocityTowards(const Vector2& wanted) const {
     checked_share = share;
     forEachLimit(reach, [&](const Limit& limit) {
       is_any_sudden = is_any_sudden || limit.is_sudden;
-      while (share > 0.0 && !isWithin(limit, braked + share * (reached - braked))) share -= 0.25;
+      while (share > 0.0 && !isWithin(limit, between.at(share))) share -= 0.25;
     });
   }
-  Vector2 velocity = braked + share * (reached - braked);
+  Vector2 velocity = between.at(share);
   if (!is_any_sudden) return velocity;
   forEachLimit(reach, [&](const Limit& limit) {
     const double advance = seen_.tick_duration * limit.normal.dot(velocity);

@@ -31,8 +31,9 @@ class BrakingRule {
   void cut(MoveBlock* moves, std::size_t count) const;
   /// @brief The action that comes nearest to a move within the motion limits, and is admissible.
   RelativeAction actionTowards(const CandidateMove& move) const;
-  /// @brief Whether a move is admissible as far as the motion limits permit it.
-  bool isFree(const CandidateMove& move) const;
+  /// @brief The action of a preferred move, as far as the motion limits permit it, if that is admissible; else that
+  /// towards a fallback.
+  RelativeAction actionTowards(const CandidateMove& preferred, const CandidateMove& fallback) const;
 
  private:
   /// A gap between two bodies, or their stopping regions, agent frame.
@@ -47,6 +48,13 @@ class BrakingRule {
     bool is_sudden = false;
   };
 
+  /// Velocities between braking and the nearest to a wanted one that can be reached; what can be reached is convex.
+  struct Reach {
+    Vector2 reached;
+    Vector2 braked;
+    Vector2 at(double share) const { return braked + share * (reached - braked); }
+  };
+
   template <typename Use>
   void forEachLimit(double reach, const Use& use) const;
   NeighbourSet findLimiting(std::size_t first, double reach) const;
@@ -56,6 +64,8 @@ class BrakingRule {
   template <typename Share>
   Limit limitOf(const Segment& its_way, const Vector2& its_place, double its_radius, const Share& share) const;
   Gap gapBetween(const ClosestPoints& points, double other_radius) const;
+  RelativeAction actionWith(const Vector2& velocity, const CandidateMove& move) const;
+  Reach reachTowards(const Vector2& wanted) const;
   Vector2 velocityTowards(const Vector2& wanted) const;
   Vector2 velocityOf(const CandidateMove& move) const { return move.fraction * seen_.self.max_speed * move.direction; }
   bool isWithin(const Limit& limit, const Vector2& velocity) const;

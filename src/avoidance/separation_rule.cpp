@@ -175,8 +175,9 @@ RelativeAction SeparationRule::actionTowards(const Perception& perception, const
   return BrakingRule(perception, sharing_).actionTowards(move);
 }
 
-bool SeparationRule::isFree(const Perception& perception, const CandidateMove& move) const {
-  return BrakingRule(perception, sharing_).isFree(move);
+RelativeAction SeparationRule::actionTowards(const Perception& perception, const CandidateMove& preferred,
+                                             const CandidateMove& fallback) const {
+  return BrakingRule(perception, sharing_).actionTowards(preferred, fallback);
 }
 
 bool SeparationRule::mustEscape(const Perception& perception) const {

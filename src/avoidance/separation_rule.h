@@ -34,8 +34,10 @@ class SeparationRule {
   void cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const;
   /// @brief For agents with motion limits, the action of a tick towards the velocity of a move that cut() limited.
   RelativeAction actionTowards(const Perception& perception, const CandidateMove& move) const;
-  /// @brief For these agents, whether a move is admissible as far as the motion limits permit it.
-  bool isFree(const Perception& perception, const CandidateMove& move) const;
+  /// @brief For these agents, the action of a preferred move, as far as the motion limits permit it, if that is
+  /// admissible; else that towards a fallback.
+  RelativeAction actionTowards(const Perception& perception, const CandidateMove& preferred,
+                               const CandidateMove& fallback) const;
   /// @brief Whether a moving obstacle comes so near that cut() considers escapes from it.
   bool mustEscape(const Perception& perception) const;
 

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "simd/following_moves_inl.h"
 #include "simd/near_neighbours_inl.h"
 #include "simd/nearby_discs_inl.h"
 #include "simd/ranks_inl.h"
@@ -19,7 +20,7 @@ namespace crowd::simd::HWY_NAMESPACE {
 
 Kernels targetKernels() {
   return {hwy::TargetName(HWY_TARGET), collectNearby,  isAnyNearby, rankAscending, findNear,
-          accumulateTimeToCollision,   findRowNumbers, cutStops};
+          accumulateTimeToCollision,   findRowNumbers, cutStops,    cutFollowing};
 }
 
 }  // namespace crowd::simd::HWY_NAMESPACE

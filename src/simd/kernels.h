@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "simd/following_moves.h"
 #include "simd/near_neighbours.h"
 #include "simd/nearby_discs.h"
 #include "simd/ranks.h"
@@ -21,6 +22,7 @@ struct Kernels {
   AccumulateTimeToCollision* accumulate_time_to_collision;
   FindRowNumbers* find_row_numbers;
   CutStops* cut_stops;
+  CutFollowing* cut_following;
 };
 
 /// @brief Scalar implementation, which defines the results.

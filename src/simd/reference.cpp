@@ -129,10 +129,21 @@ void cutStops(const StopLimit& limit, const double* xs, const double* ys, std::s
   }
 }
 
+void cutFollowing(const Leader& leader, const double* xs, const double* ys, std::size_t count, double* fractions) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const double ahead = xs[i] * leader.x + ys[i] * leader.y;
+    const double aside = xs[i] * leader.y - ys[i] * leader.x;
+    const double cosine = std::max(0.0, ahead) / leader.distance;
+    const double most = std::max(leader.now, leader.later_gap / (leader.walked + leader.own_way * cosine));
+    const bool limited = (ahead > 0.0) & (std::abs(aside) < leader.half_width) & (fractions[i] > most);
+    fractions[i] = limited ? most : fractions[i];
+  }
+}
+
 }  // namespace
 
 const Kernels REFERENCE = {"reference",    collectNearby, isAnyNearby,
                            rankAscending,  findNear,      accumulateTimeToCollision,
-                           findRowNumbers, cutStops};
+                           findRowNumbers, cutStops,      cutFollowing};
 
 }  // namespace crowd::simd

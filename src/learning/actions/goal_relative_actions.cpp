@@ -112,8 +112,7 @@ RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const
   }
   const CandidateMove move = slows_at_goal_ ? reachingGoal(chosen, seen) : chosen;
   if (!parameters_.gait.isOn()) return rule_.actionTowards(seen, move);
-  const CandidateMove deviated = deviate(move, parameters_.gait, seen);
-  return rule_.actionTowards(seen, rule_.isFree(seen, deviated) ? deviated : move);
+  return rule_.actionTowards(seen, deviate(move, parameters_.gait, seen), move);
 }
 
 std::shared_ptr<const ActionSet> GoalRelativeActions::whileLearning() const {
