@@ -1,6 +1,6 @@
 // Division of the perceptions of a turn among the topics of learners.
 
-#include "ros/controller/perception_routes.h"
+#include "ros/messages/perception_routes.h"
 
 #include <gtest/gtest.h>
 

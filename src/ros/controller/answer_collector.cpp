@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "ros/controller/agent_list.h"
+#include "ros/messages/agent_list.h"
 #include "ros/messages/motion_fields.h"
 #include "ros/messages/names.h"
 #include "ros/messages/tick_subscriber.h"

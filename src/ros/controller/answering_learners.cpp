@@ -6,7 +6,7 @@
 #include <array>
 
 #include "common/text/numbers.h"
-#include "ros/controller/agent_list.h"
+#include "ros/messages/agent_list.h"
 
 namespace crowd {
 namespace {

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "common/text/numbers.h"
-#include "ros/controller/agent_list.h"
 #include "ros/controller/controller_parameters.h"
+#include "ros/messages/agent_list.h"
 #include "ros/node/diagnostics_publisher.h"
 
 namespace crowd {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "ros/controller/perception_routes.h"
+#include "ros/messages/perception_routes.h"
 #include "ros/messages/tick_messages.h"
 
 namespace crowd {

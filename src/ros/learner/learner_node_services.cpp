@@ -11,8 +11,8 @@
 
 #include "common/text/quotes.h"
 #include "learning/q_table_names.h"
-#include "ros/controller/agent_list.h"
 #include "ros/learner/learner_node.h"
+#include "ros/messages/agent_list.h"
 #include "ros/messages/names.h"
 #include "ros/node/console.h"
 

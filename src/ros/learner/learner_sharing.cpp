@@ -4,8 +4,8 @@
 #include <map>
 
 #include "common/text/quotes.h"
-#include "ros/controller/agent_list.h"
 #include "ros/learner/learner_node.h"
+#include "ros/messages/agent_list.h"
 #include "ros/messages/names.h"
 
 namespace crowd {

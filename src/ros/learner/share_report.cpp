@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ros/controller/agent_list.h"
+#include "ros/messages/agent_list.h"
 
 namespace crowd {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "ros/controller/perception_routes.h"
+#include "ros/messages/perception_routes.h"
 #include "world/perception.h"
 #include "world/relative_action.h"
 

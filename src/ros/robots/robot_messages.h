@@ -19,7 +19,7 @@
 #include "robots/robot_commands.h"
 #include "robots/robot_observation.h"
 #include "robots/robot_senses.h"
-#include "ros/controller/pose_collector.h"
+#include "ros/robots/pose_collector.h"
 #include "social_crowd/results.h"
 #include "world/world.h"
 

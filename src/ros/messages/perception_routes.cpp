@@ -1,4 +1,4 @@
-#include "ros/controller/perception_routes.h"
+#include "ros/messages/perception_routes.h"
 
 #include <algorithm>
 #include <tuple>

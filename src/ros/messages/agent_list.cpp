@@ -1,4 +1,4 @@
-#include "ros/controller/agent_list.h"
+#include "ros/messages/agent_list.h"
 
 #include <algorithm>
 

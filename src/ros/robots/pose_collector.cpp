@@ -1,4 +1,4 @@
-#include "ros/controller/pose_collector.h"
+#include "ros/robots/pose_collector.h"
 
 #include <tf2/exceptions.h>
 #include <tf2/utils.h>
