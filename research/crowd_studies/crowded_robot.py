@@ -5,7 +5,7 @@ import typing
 
 import numpy
 from crowd_experiments.arguments import add_file, parser_of, positive
-from crowd_experiments.pages import Chapter, fill_document
+from crowd_experiments.pages import Chapter, fill_document, require_table
 from crowd_experiments.records import read_csv
 from crowd_experiments.runs import LOG, Run, execute_left
 from crowd_experiments.tools import REPOSITORY
@@ -15,6 +15,7 @@ from crowd_robots.driving import DRIVEN
 FLOORS = pathlib.Path(__file__).with_name('crowded')
 SCENES = {'crowded_hall': 'hall', 'crowded_halls': 'two halls'}
 SEEDS = (1, 2, 3)
+CHAPTER = 'crowded'  # of documents, whose tables are named after robots
 RECORD, LOGS = 'robots.csv', 'logs'  # in a run's folder
 LONG = 300.0  # [s] of a run, roughly
 ENCOUNTER = 1.0  # between the rims of robot and person, at most [m]
@@ -111,10 +112,12 @@ def main(words=None):
              help='folder of all results (default: %(default)s)')
     add_file(parser, '--document', metavar='FILE.md', help='also update the table of this document')
     arguments = parser.parse_args(words)
+    if arguments.document:
+        require_table(arguments.document, f'{CHAPTER}/{arguments.robot}')
     runs = {(scene, seed): run_of(arguments.robot, scene, seed, arguments.config, arguments.output.absolute())
             for scene in SCENES for seed in arguments.seeds}
     execute_left([*runs.values()], 1)
-    chapter = Chapter('crowded', 'A robot among a hundred people')
+    chapter = Chapter(CHAPTER, 'A robot among a hundred people')
     chapter.add_table('Each run', HEADER, [row_of(run, *key) for key, run in runs.items()], arguments.robot)
     for table in chapter.tables():
         table.print()

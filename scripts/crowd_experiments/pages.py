@@ -8,6 +8,8 @@ import shutil
 import textwrap
 import typing
 
+from crowd_drawing.errors import RunError
+
 MARKS = re.compile(r'(<!-- table ([\w/]+) -->\n).*?(<!-- end -->)', re.DOTALL)
 PHRASES = re.compile(r'(<!-- phrase ([\w/]+) -->).*?(<!-- end -->)', re.DOTALL)
 PICTURES = re.compile(r'!\[[^\]]*\]\(images/(\w+\.png)\)')
@@ -96,6 +98,14 @@ def write_chapters(folder, chapters):
         for part in chapter.parts:
             if isinstance(part, Figure) and (folder / 'images' / part.file.name).is_file():
                 shutil.copyfile(part.file, folder / 'images' / part.file.name)
+
+
+def require_table(file, name):
+    """Checks that a document has the marks of a table CHAPTER/NAME, before anything is measured. Raises RunError."""
+    tables = [mark[1] for mark in MARKS.findall(pathlib.Path(file).read_text(encoding='utf-8'))]
+    if name not in tables:
+        has = f'has the tables {", ".join(tables)}' if tables else 'has no tables'
+        raise RunError(f'{file}: {has}; to get this one, add the lines <!-- table {name} --> and <!-- end -->')
 
 
 def fill_document(file, chapters):

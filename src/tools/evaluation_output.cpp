@@ -72,7 +72,7 @@ void OutputNames::requireOwnFiles(const std::vector<std::string>& scenarios) con
                                        {"--states", states},
                                        {"--robot-series", robot_series}}) {
     if (folder.empty()) continue;
-    const auto [other, is_new] = option_of.emplace(folder, option);
+    const auto [other, is_new] = option_of.emplace(fullPath(folder), option);
     if (is_new) continue;
     throw InputError(option + ": expected another folder than that of " + other->second + ", got " + inQuotes(folder));
   }

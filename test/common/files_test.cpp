@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <filesystem>
 #include <future>
+#include <string>
+#include <vector>
 
 #include "common/files/descriptor.h"
 #include "social_crowd/errors.h"
@@ -122,6 +124,22 @@ TEST(MakeFolder, RefusesThePathOfAFile) {
     EXPECT_TRUE(contains(message, place)) << message;
   }
   EXPECT_EQ(readFile(folder.file("file")), "old");
+}
+
+TEST(FullPath, IsTheSameForAllSpellings) {
+  const TemporaryFolder folder;
+  const std::string plain = folder.file("a");
+  const std::vector<std::string> spellings = {plain, plain + "/", plain + "//.", folder.file("b/../a"),
+                                              folder.file("./a/c/..")};
+  for (const std::string& spelling : spellings) EXPECT_EQ(fullPath(spelling), fullPath(plain)) << spelling;
+  EXPECT_NE(fullPath(folder.file("b")), fullPath(plain));
+  makeFolder(plain);
+  std::filesystem::create_directory_symlink(plain, folder.file("link"));
+  for (const std::string& spelling : spellings) EXPECT_EQ(fullPath(spelling), fullPath(plain)) << spelling;
+  EXPECT_EQ(fullPath(folder.file("link/")), fullPath(plain));
+  EXPECT_EQ(fullPath("a"), (std::filesystem::current_path() / "a").string());
+  EXPECT_EQ(fullPath("/"), "/");
+  EXPECT_EQ(fullPath(""), "");
 }
 
 TEST(StemOf, RemovesFolderAndExtension) {

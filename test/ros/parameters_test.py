@@ -115,9 +115,10 @@ class ControllerParametersTest(RefusalTestCase):
 
     def test_recordings_of_the_same_names(self):
         folder = self.path('recorded')
-        message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, trajectories=folder,
-                                                         robot_series=folder, robot_logs=folder), 'robot_series')
-        self.assert_says(message, 'expected another folder than that of ~trajectories', folder)
+        for same in (folder, f'{folder}/', f'{folder}/../recorded'):
+            message = self.assert_all_named(self.start_plain(scenario=support.CIRCLE6, trajectories=folder,
+                                                             robot_series=same, robot_logs=folder), 'robot_series')
+            self.assert_says(message, 'expected another folder than that of ~trajectories', same)
 
 
 class ScenarioFilesTest(RefusalTestCase):

@@ -9,6 +9,7 @@ from geometry_msgs.msg import Pose2D, PoseArray, PoseStamped, PoseWithCovariance
 from nav_msgs.msg import Odometry
 from robots import RobotTestCase, command, scenario
 from sensor_msgs.msg import LaserScan, PointCloud2
+from social_crowd.msg import AgentState, AgentStates
 from tf2_msgs.msg import TFMessage
 
 
@@ -206,16 +207,77 @@ walls:'''
 
     def messages_of(self, package, kind, topic):
         """Returns a listener to tracks of a person who is missed in half of the ticks. Skips the test without them."""
-        try:
-            message_type = getattr(importlib.import_module(f'{package}.msg'), kind)
-        except ImportError:
-            self.skip(f'{package} is not installed')
+        message_type = self.type_of(package, kind)
         self.start_all(scenario(more=', tracks: {noise: 0.1, velocity_noise: 0.2, missed: 0.5, keep: 50}'))
-        if [f'{self.namespace}/{topic}', f'{package}/{kind}'] not in rospy.get_published_topics(self.namespace):
-            self.skip(f'the package was built without {package}')
-        listener = self.listen(topic, message_type).wait_connected()
+        listener = self.listen_if_built(topic, package, message_type)
         self.walk(20)
         return listener
+
+    def type_of(self, package, kind):
+        """Returns a type of messages. Skips the test where the package is not installed."""
+        try:
+            return getattr(importlib.import_module(f'{package}.msg'), kind)
+        except ImportError:
+            return self.skip(f'{package} is not installed')
+
+    def listen_if_built(self, topic, package, message_type):
+        """Listens to a topic. Skips the test if the package was built without the package of its messages."""
+        if [f'{self.namespace}/{topic}', message_type._type] not in rospy.get_published_topics(self.namespace):
+            self.skip(f'the package was built without {package}')
+        return self.listen(topic, message_type).wait_connected()
+
+    def test_all_messages_agree_with_the_true_people(self):
+        """Two people walk; the third one arrives on the way and is not there any more."""
+        kinds = {'people': ('people_msgs', 'People'),
+                 'people_tracker_measurements': ('people_msgs', 'PositionMeasurementArray'),
+                 'tracked_persons': ('spencer_tracking_msgs', 'TrackedPersons')}
+        types = {topic: self.type_of(*kind) for topic, kind in kinds.items()}
+        people = '''  - {position: [-3, 1], goal: [-30, 8], speed: 1.2, radius: 0.25}
+  - {position: [-3, -4], goal: [-4, -5], speed: 1.0, radius: 0.25}
+walls:'''
+        self.start_all(scenario().replace('walls:', people), publish_clock=True)  # so that all have the same stamps
+        heard = {topic: self.listen_if_built(topic, kinds[topic][0], kind) for topic, kind in types.items()}
+        truth = self.listen('agents', AgentStates).wait_connected()
+        self.walk(20)
+        support.wait_for(lambda: all(len(listener.messages) >= 20 for listener in heard.values()), 'all messages')
+        numbers = []
+        for topic, listener in heard.items():
+            for message in listener.messages[-20:]:
+                self.assertEqual(message.header.frame_id, 'map')
+                true = truth.wait(lambda state, message=message: state.header.stamp == message.header.stamp)
+                present = [agent for agent in true.agents if agent.status == AgentState.WALKING]
+                numbers.append([agent.agent for agent in present])
+                got = message.tracks if topic == 'tracked_persons' else message.people
+                self.assertEqual(len(got), len(present))
+                for place, (one, agent) in enumerate(zip(got, present)):
+                    getattr(self, f'check_{topic}')(one, agent, place, true.time)
+        self.assertIn([0, 1, 2], numbers)
+        self.assertEqual(numbers[-1], [0, 1])
+
+    def check_people(self, person, agent, _place, _time):
+        """Checks a Person of people_msgs."""
+        self.assertEqual((person.name, person.reliability), (str(agent.agent), 1.0))
+        self.assertEqual((person.position.x, person.position.y), (agent.pose.x, agent.pose.y))
+        self.assertEqual((person.velocity.x, person.velocity.y), (agent.velocity.x, agent.velocity.y))
+
+    def check_people_tracker_measurements(self, person, agent, _place, _time):
+        """Checks a PositionMeasurement of people_msgs."""
+        self.assertEqual((person.object_id, person.reliability, person.header.frame_id),
+                         (str(agent.agent), 1.0, 'map'))
+        self.assertEqual((person.pos.x, person.pos.y), (agent.pose.x, agent.pose.y))
+        self.assertEqual(list(person.covariance), [1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e4])
+
+    def check_tracked_persons(self, track, agent, place, time):
+        """Checks a TrackedPerson of spencer_tracking_msgs."""
+        self.assertEqual((track.track_id, track.is_matched, track.is_occluded, track.detection_id),
+                         (agent.agent, True, False, place))
+        position, orientation = track.pose.pose.position, track.pose.pose.orientation
+        self.assertEqual((position.x, position.y), (agent.pose.x, agent.pose.y))
+        self.assertAlmostEqual(math.remainder(2 * math.atan2(orientation.z, orientation.w) - agent.pose.theta,
+                                              2 * math.pi), 0.0, places=9)
+        velocity = track.twist.twist.linear
+        self.assertEqual((velocity.x, velocity.y), (agent.velocity.x, agent.velocity.y))
+        self.assertAlmostEqual(track.age.to_sec(), time, places=6)
 
     def test_people_and_goal(self):
         self.start_all(scenario(more=', goal: [4, 0]'))

@@ -4,9 +4,36 @@ import json
 import numpy
 import pytest
 from crowd_drawing.errors import read_documents
-from crowd_experiments.runs import LOG, Run
+from crowd_experiments.runs import LOG, Run, RunError
 from crowd_studies import crowded_robot
-from programs import ANTICIPATION_TABLE
+from programs import ANTICIPATION_TABLE, assert_says
+
+
+class DocumentTest:
+    """The table of a document is there before anything is driven."""
+
+    def test_a_table_that_the_document_has_not(self, tmp_path):
+        page = tmp_path / 'page.md'
+        page.write_text('<!-- table crowded/move_base -->\n<!-- end -->\n', encoding='utf-8')
+        output = tmp_path / 'results'
+        with pytest.raises(RunError) as refused:
+            crowded_robot.main(['--robot', 'move_base_people', '--document', str(page), '--output', str(output)])
+        assert_says(str(refused.value), 'page.md: has the tables crowded/move_base; to get this one, add the lines '
+                    '<!-- table crowded/move_base_people -->')
+        assert not output.exists()
+        page.write_text('', encoding='utf-8')
+        with pytest.raises(RunError, match='has no tables; '):
+            crowded_robot.main(['--document', str(page), '--output', str(output)])
+
+    def test_the_table_is_filled(self, monkeypatch, tmp_path):
+        """With rows of runs that are not driven here."""
+        monkeypatch.setattr(crowded_robot, 'execute_left', lambda runs, processes: None)
+        monkeypatch.setattr(crowded_robot, 'row_of', lambda run, scene, seed: [scene, str(seed), *7 * ['-']])
+        page = tmp_path / 'page.md'
+        page.write_text('<!-- table crowded/move_base_people -->\n<!-- end -->\n', encoding='utf-8')
+        crowded_robot.main(['--robot', 'move_base_people', '--seeds', '4', '--document', str(page)])
+        rows = [f"| {scene} | 4 {7 * '| - '}|\n" for scene in crowded_robot.SCENES]
+        assert ''.join([*rows, '<!-- end -->']) in page.read_text(encoding='utf-8')
 
 
 class MeasuresTest:

@@ -31,3 +31,11 @@ class ArgumentsTest:
         status, said = evaluate('--web', 'circle6', 'circle12')
         assert status == 2
         assert_says(said, '--web: expected one SCENARIO')
+
+    def test_folders_of_files_of_the_same_names(self, tmp_path):
+        folder = tmp_path / 'recorded'
+        for same in (folder, f'{folder}/', f'{folder}/../recorded'):
+            status, said = evaluate('--trajectories', folder, '--robot-series', same, 'robot_frontal')
+            assert status != 0
+            assert_says(said, '--robot-series: expected another folder than that of --trajectories, got')
+            assert not folder.exists()

@@ -79,6 +79,15 @@ void makeFolder(const std::string& folder) {
   if (problem) throw FileError(folder + ": cannot be made: " + problem.message() + inFull(folder));
 }
 
+std::string fullPath(const std::string& path) {
+  if (path.empty()) return path;
+  std::error_code problem;
+  const std::filesystem::path plain = std::filesystem::absolute(path, problem).lexically_normal();
+  const std::filesystem::path followed = std::filesystem::weakly_canonical(plain, problem);
+  const std::filesystem::path full = problem ? plain : followed;
+  return (full.has_filename() ? full : full.parent_path()).string();
+}
+
 std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
 }  // namespace crowd

@@ -36,6 +36,10 @@ void requireReplaceable(const std::string& file);
 /// @brief Creates a folder and its parent folders. @throws FileError
 void makeFolder(const std::string& folder);
 
+/// @brief Returns a path that is the same for all spellings of a path, such as "a", "a/", "b/../a" and a link to it; an
+/// empty one stays empty.
+std::string fullPath(const std::string& path);
+
 /// @brief File name of a path without its extension: "a/b/circle6.yaml" -> "circle6".
 std::string stemOf(const std::string& path);
 

@@ -73,7 +73,7 @@ void readRecordings(Parameters& parameters, ControllerParameters& read) {
   read.trajectories = parameters.text("trajectories", "");
   read.robot_series = parameters.text("robot_series", "");
   read.robot_logs = parameters.text("robot_logs", "");
-  if (!read.robot_series.empty() && read.robot_series == read.trajectories) {
+  if (!read.robot_series.empty() && fullPath(read.robot_series) == fullPath(read.trajectories)) {
     const std::string expected = "expected another folder than that of ~trajectories, got ";
     parameters.complain("robot_series", expected + inQuotes(read.robot_series));
   }
