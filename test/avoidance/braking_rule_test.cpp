@@ -111,6 +111,19 @@ TEST(BrakingRule, ActionsKeepTheLimits) {
   expectVector(towards(walker(0.3), -Vector2::UnitX()), 0.0, 0.0);
 }
 
+TEST(BrakingRule, TakesTheFallbackIfThePreferredMoveIsNotFree) {
+  const CandidateMove ahead{Vector2::UnitX(), 1.0, 1.0};
+  const CandidateMove left{Vector2::UnitY(), 1.0, 1.0};
+  const auto velocity = [&](const PerceptionsBuilder& scene, const CandidateMove& preferred,
+                            const CandidateMove& fallback) {
+    const SeparationRule rule(GapSharing::HALF, LOOKOUT);
+    return velocityOf(rule.actionTowards(scene.perception(), preferred, fallback), 1.2);
+  };
+  expectVector(velocity(walker(0.0), ahead, left), 0.2, 0.0);
+  expectVector(velocity(beforeWall(0.0, 0.0), ahead, left), 0.0, 0.2);
+  expectVector(velocity(beforeWall(0.0, 0.0), left, ahead), 0.0, 0.2);
+}
+
 TEST(BrakingRule, StayingBrakesAndKeepsTheHeading) {
   const auto stay = [](const PerceptionsBuilder& scene) {
     return SeparationRule(GapSharing::HALF, LOOKOUT).actionTowards(scene.perception(), {Vector2::UnitY(), 0.0, 0.0});

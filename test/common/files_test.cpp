@@ -137,6 +137,9 @@ TEST(FullPath, IsTheSameForAllSpellings) {
   std::filesystem::create_directory_symlink(plain, folder.file("link"));
   for (const std::string& spelling : spellings) EXPECT_EQ(fullPath(spelling), fullPath(plain)) << spelling;
   EXPECT_EQ(fullPath(folder.file("link/")), fullPath(plain));
+  makeFolder(folder.file("other/inner"));
+  std::filesystem::create_directory_symlink(folder.file("other/inner"), folder.file("far"));
+  EXPECT_EQ(fullPath(folder.file("far/../a")), fullPath(folder.file("other/a")));
   EXPECT_EQ(fullPath("a"), (std::filesystem::current_path() / "a").string());
   EXPECT_EQ(fullPath("/"), "/");
   EXPECT_EQ(fullPath(""), "");

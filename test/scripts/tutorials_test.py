@@ -44,13 +44,11 @@ class StateSetTest:
     of the library of the programs."""
 
     def test_all_steps(self, terminal, request):
-        build = pathlib.Path(request.config.getoption('--build') or '')
-        link = build / 'CMakeFiles' / 'social_crowd_core.dir' / 'link.txt'
-        if not link.is_file():
-            pytest.skip('needs --build, a folder with makefiles')
+        if not request.config.getoption('--build'):
+            pytest.skip('needs --build')
         scripts, *programs = STATE_SET
         assert (scripts, programs.pop()) == ('scripts/build', 'rosrun social_crowd train --list-types')
-        terminal.environment['LD_PRELOAD'] = self.library(terminal, build, link)
+        terminal.environment['LD_PRELOAD'] = self.library(terminal, request.config.getoption('--build'))
         trained, evaluated = map(terminal.run, programs)
         assert_says(trained, '72 of 72 rows visited')
         assert len(ALL_ARRIVE.findall(evaluated)) == 2
@@ -58,7 +56,7 @@ class StateSetTest:
         assert all(1.35 < path < 1.65 for path in paths), 'as the tutorial says'
         assert_says(terminal.run('rosrun social_crowd train --list-types'), '| `state_set` | `near_body` |')
 
-    def library(self, terminal, build, link):
+    def library(self, terminal, build):
         """Makes the core with the new state set. Returns its file."""
         headers = pathlib.Path(terminal.folder, 'new', 'learning', 'states')
         headers.mkdir(parents=True)
@@ -70,7 +68,8 @@ class StateSetTest:
         for name in ('near_body_states', 'state_set'):
             run(terminal.folder, ['c++', *flags, '-c', f'{name}.cpp', '-o', f'{name}.o'])
         library = terminal.path('libsocial_crowd_core.so')
-        run(build, words_of(link, library, [terminal.path('state_set.o'), terminal.path('near_body_states.o')]))
+        objects = [terminal.path('state_set.o'), terminal.path('near_body_states.o')]
+        run(build, link_command(pathlib.Path(build), library, objects))
         return library
 
 
@@ -82,9 +81,15 @@ def changed_list():
     return text.replace('TYPES = {', f'TYPES = {{\n{entry}', 1)
 
 
-def words_of(link, library, objects):
-    """Returns the command that links the core, with other objects for state_set.cpp, and another output."""
-    words = shlex.split(read_text(link))
+def link_command(build, library, objects):
+    """Returns the command that links the core in a build folder of Ninja or make, with other objects for state_set.cpp,
+    and another output."""
+    if (build / 'build.ninja').is_file():
+        commands = subprocess.run(['ninja', '-t', 'commands', 'social_crowd_core'], cwd=build, stdout=subprocess.PIPE,
+                                  timeout=LONG, check=True).stdout.decode().splitlines()
+        words = shlex.split(commands[-1])[2:-2]  # between ": &&" and "&& :"
+    else:
+        words = shlex.split(read_text(build / 'CMakeFiles' / 'social_crowd_core.dir' / 'link.txt'))
     words[words.index('-o') + 1] = library
     old = next(i for i, word in enumerate(words) if word.endswith('/state_set.cpp.o'))
     return [*words[:old], *objects, *words[old + 1:]]

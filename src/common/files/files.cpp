@@ -82,9 +82,9 @@ void makeFolder(const std::string& folder) {
 std::string fullPath(const std::string& path) {
   if (path.empty()) return path;
   std::error_code problem;
-  const std::filesystem::path plain = std::filesystem::absolute(path, problem).lexically_normal();
-  const std::filesystem::path followed = std::filesystem::weakly_canonical(plain, problem);
-  const std::filesystem::path full = problem ? plain : followed;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, problem);
+  const std::filesystem::path followed = std::filesystem::weakly_canonical(absolute, problem);
+  const std::filesystem::path full = problem ? absolute.lexically_normal() : followed;
   return (full.has_filename() ? full : full.parent_path()).string();
 }
 

@@ -1,4 +1,4 @@
-#include "ros/controller/perception_limiter.h"
+#include "ros/messages/perception_limiter.h"
 
 #include "ros/messages/vision.h"
 
