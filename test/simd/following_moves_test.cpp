@@ -1,15 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
-#include "common/random.h"
 #include "simd/kernels.h"
+#include "support/random_moves.h"
 
 namespace crowd::simd::following_moves_test {
 namespace {
 
-using Lanes = std::array<double, 24>;
+using Lanes = RandomMoves::Lanes;
 
 TEST(CutFollowing, LimitsMovesTowardsTheLeader) {
   // Straight ahead, at 60 degrees but within the width, aside of it, away from it, and slow already.
@@ -46,15 +45,7 @@ TEST(CutFollowing, LimitsMovesTowardsTheLeader) {
 TEST(CutFollowing, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
-    Lanes xs{};
-    Lanes ys{};
-    Lanes fractions{};
-    for (std::size_t i = 0; i < xs.size(); ++i) {
-      const double angle = random.below(8) == 0 ? 0.0 : random.uniform(-3.2, 3.2);
-      xs[i] = std::cos(angle);
-      ys[i] = std::sin(angle);
-      fractions[i] = random.below(8) == 0 ? 0.0 : random.uniform(0.0, 1.0);
-    }
+    const RandomMoves moves(random);
     const double bearing = random.below(8) == 0 ? 0.0 : random.uniform(-3.2, 3.2);
     const double distance = random.below(10) == 0 ? 0.0 : random.uniform(0.1, 2.0);
     const Leader leader{distance * std::cos(bearing),
@@ -65,11 +56,11 @@ TEST(CutFollowing, IsEqualOnEveryTarget) {
                         random.below(3) == 0 ? 0.0 : random.uniform(0.0, 2.0),
                         random.uniform(0.1, 2.0),
                         random.below(8) == 0 ? 0.0 : random.uniform(0.0, 2.0)};
-    Lanes expected = fractions;
-    REFERENCE.cut_following(leader, xs.data(), ys.data(), expected.size(), expected.data());
+    Lanes expected = moves.fractions;
+    REFERENCE.cut_following(leader, moves.xs.data(), moves.ys.data(), expected.size(), expected.data());
     for (const Kernels& kernels : availableKernels()) {
-      Lanes cut = fractions;
-      kernels.cut_following(leader, xs.data(), ys.data(), cut.size(), cut.data());
+      Lanes cut = moves.fractions;
+      kernels.cut_following(leader, moves.xs.data(), moves.ys.data(), cut.size(), cut.data());
       ASSERT_EQ(cut, expected) << kernels.target << ", seed " << seed;
     }
   }

@@ -1,15 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
-#include "common/random.h"
 #include "simd/kernels.h"
+#include "support/random_moves.h"
 
 namespace crowd::simd::stopping_moves_test {
 namespace {
 
-using Lanes = std::array<double, 24>;
+using Lanes = RandomMoves::Lanes;
 
 TEST(CutStops, TheStoppingWayFitsTheAdvance) {
   // Towards the limit, at 60 degrees to it, beside it, and away from it.
@@ -40,26 +39,18 @@ TEST(CutStops, TheStoppingWayFitsTheAdvance) {
 TEST(CutStops, IsEqualOnEveryTarget) {
   for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
     KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
-    Lanes xs{};
-    Lanes ys{};
-    Lanes fractions{};
-    for (std::size_t i = 0; i < xs.size(); ++i) {
-      const double angle = random.below(8) == 0 ? 0.0 : random.uniform(-3.2, 3.2);
-      xs[i] = std::cos(angle);
-      ys[i] = std::sin(angle);
-      fractions[i] = random.below(8) == 0 ? 0.0 : random.uniform(0.0, 1.0);
-    }
+    const RandomMoves moves(random);
     const double normal = random.uniform(-3.2, 3.2);
     const double advance = random.below(8) == 0 ? 0.0 : random.uniform(-0.1, 1.0);
     const double braking = random.uniform(0.1, 10.0);
     const bool has_normal = random.below(10) > 0;
     const StopLimit limit{has_normal ? std::cos(normal) : 0.0, has_normal ? std::sin(normal) : 0.0,
                           2.0 * braking * advance, braking * random.uniform(0.01, 0.5), 1.0 / random.uniform(0.5, 2.0)};
-    Lanes expected = fractions;
-    REFERENCE.cut_stops(limit, xs.data(), ys.data(), expected.size(), expected.data());
+    Lanes expected = moves.fractions;
+    REFERENCE.cut_stops(limit, moves.xs.data(), moves.ys.data(), expected.size(), expected.data());
     for (const Kernels& kernels : availableKernels()) {
-      Lanes cut = fractions;
-      kernels.cut_stops(limit, xs.data(), ys.data(), cut.size(), cut.data());
+      Lanes cut = moves.fractions;
+      kernels.cut_stops(limit, moves.xs.data(), moves.ys.data(), cut.size(), cut.data());
       ASSERT_EQ(cut, expected) << kernels.target << ", seed " << seed;
     }
   }
