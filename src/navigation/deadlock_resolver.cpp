@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "common/portable_math.h"
+#include "navigation/crowding.h"
 #include "navigation/remaining_path.h"
 #include "navigation/sliding.h"
 
@@ -19,6 +20,7 @@ constexpr double TOUCH = 0.1;             // bodies nearer to each other than th
 constexpr double BESIDE = 0.2;            // behind the line beside an agent [m]
 constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
 constexpr double CONTACT = 0.02;          // an agent slides along what is nearer than this [m]
+constexpr double AHEAD = 3.0;             // of an agent on its path, the point that it walks towards [m]
 constexpr double WALKED_BACK = 0.1;       // an agent that moved less could not walk back [m]
 constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
 
@@ -27,11 +29,9 @@ Vector2 priorityDirection(double time) {
   return {portable::cos(angle), portable::sin(angle)};
 }
 
-/// Direction to the point of a path at LOOKAHEAD: agents in front of a door all walk in the same direction.
-Vector2 directionOf(const RemainingPath& path, const Agent& agent) {
-  constexpr double LOOKAHEAD = 3.0;  // [m]
-  const Vector2& place = agent.pose.position;
-  const Vector2 offset = pointAlong({path.data(), path.size()}, place, LOOKAHEAD) - place;
+/// Direction to the point AHEAD on its path: agents in front of a door all walk in the same direction.
+Vector2 directionTo(const Vector2& ahead, const Agent& agent) {
+  const Vector2 offset = ahead - agent.pose.position;
   const double length = offset.norm();
   return length > 0.0 ? Vector2(offset / length) : agent.ahead;
 }
@@ -73,7 +73,8 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
     walk.leaves_trail = walk.cannot_walk_back && !walk.leaves_trail;
   }
   walk.retreat_until = 0.0;
-  walk.course = directionOf(path, agent);
+  walk.ahead = pointAlong({path.data(), path.size()}, place, AHEAD);
+  walk.course = directionTo(walk.ahead, agent);
   if (isStuck(walk, time)) walk.remaining = lengthOf({path.data(), path.size()}, place);
   if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
   walk.trail.push_back(place);
@@ -161,8 +162,18 @@ bool DeadlockResolver::isBlockedByRobot(const World& world, const Agent& agent) 
   return std::any_of(world.robots().begin(), world.robots().end(), blocks);
 }
 
+/// Of two agents in opposite directions, above 0 if the first one has priority: who leaves a crowd goes before who enters
+/// it. The axis counts like up to two people, so that not the same agents give way for ever.
+double DeadlockResolver::priorityOver(const World& world, const Walk& own, const Walk& its) {
+  const auto people_ahead = [&](const Walk& walk) {
+    return static_cast<double>(countPeopleNear(world, walk.ahead, CROWD_RADIUS, near_people_));
+  };
+  const double axis = priorityDirection(world.time()).dot(own.course - its.course);
+  return axis + people_ahead(its) - people_ahead(own);
+}
+
 /// Whether another agent blocks an agent that is stuck or in the way of one that walks back, and has priority.
-bool DeadlockResolver::givesWayTo(const World& world, const Agent& agent, const Agent& other) const {
+bool DeadlockResolver::givesWayTo(const World& world, const Agent& agent, const Agent& other) {
   if (other.id == agent.id) return false;
   const double time = world.time();
   const Walk& own = walks_[agent.id];
@@ -179,7 +190,7 @@ bool DeadlockResolver::givesWayTo(const World& world, const Agent& agent, const 
   if (own.cannot_walk_back != its.cannot_walk_back) return its.cannot_walk_back && (is_opposite || forms_arch);
   if (is_opposite) {
     if (walksBack(its)) return true;
-    return !other.yielding && priorityDirection(time).dot(its.course - own.course) > 0.0;
+    return !other.yielding && priorityOver(world, own, its) < 0.0;
   }
   return forms_arch && !walksBack(its) && its.remaining < own.remaining;
 }

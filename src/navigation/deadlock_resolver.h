@@ -18,8 +18,9 @@ namespace crowd {
 /// touches it, if that has priority:
 /// - A robot that the crowd gives way to has priority over all agents.
 /// - An agent that could not walk back at its last attempt has priority over one that could.
-/// - Of agents that walk in opposite directions, the one whose direction is nearer to an axis has priority; the axis is
-///   the same for all agents and turns every TURN_TIME.
+/// - Of agents that walk in opposite directions, the one with fewer people where its path leads to has priority, and
+///   with as many, or up to two more, the one whose direction is nearer to an axis; the axis is the same for all agents
+///   and turns every TURN_TIME.
 /// - Of agents in the same direction that are both stuck and touch each other, as in an arch in front of a door, the
 ///   one with the shorter remaining path has priority, wherever the other one is.
 ///
@@ -41,6 +42,7 @@ class DeadlockResolver {
   static constexpr double TURN_TIME = 6.0;     ///< [s]
   static constexpr double RETREAT_TIME = 1.5;  ///< an agent walks back for this time [s]
   static constexpr double WALK_TIME = 1.5;     ///< [s]
+  static constexpr double CROWD_RADIUS = 1.5;  ///< around the point ahead, in which people are counted [m]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
   /// @param paths of the agents of the world; empty for those that have none
@@ -62,6 +64,7 @@ class DeadlockResolver {
     bool cannot_walk_back = false;           // at its last attempt, and it has made no progress since
     bool leaves_trail = false;               // walks back against its direction, not along its trail
     Vector2 course = Vector2::UnitX();       // direction of its path, or back [unit vector]
+    Vector2 ahead = Vector2::Zero();         // the point of its path 3 m ahead, before it walked back [m]
   };
 
   /// An agent that walks.
@@ -81,7 +84,8 @@ class DeadlockResolver {
   bool mustGiveWay(const World& world, const Agent& agent);
   bool blocksOthers(const World& world, const Agent& agent);
   bool isBlockedByRobot(const World& world, const Agent& agent) const;
-  bool givesWayTo(const World& world, const Agent& agent, const Agent& other) const;
+  bool givesWayTo(const World& world, const Agent& agent, const Agent& other);
+  double priorityOver(const World& world, const Walk& own, const Walk& its);
   void addWallContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);
   void addAgentContacts(const World& world, const Agent& agent, std::vector<Vector2>& contacts);
   void slideAlongWalls(World& world, const Agent& agent);
@@ -90,6 +94,7 @@ class DeadlockResolver {
   AgentMap<Walk> walks_;
   std::vector<AgentId> retreating_;  // of this tick
   std::vector<std::uint32_t> near_walls_;
+  std::vector<std::uint32_t> near_people_;  // by countPeopleNear()
   std::vector<Walker> walkers_;  // of this tick, by x; empty until it is needed
   double largest_radius_ = 0.0;  // of the walkers [m]
 };

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "navigation/crowding.h"
+
 namespace crowd {
 namespace {
 
@@ -53,7 +55,7 @@ void TurnTaking::decide(const World& world, const AgentMap<RemainingPath>& paths
   for (std::size_t i = 0; i < world.agents().size(); ++i) {
     const bool has_claims = claimant != claims_.claimants().end() && claimant->agent == world.agents().nth(i).id;
     if (has_claims) {
-      noteApproach(*claimant++, world.time(), approaches_.nth(i));
+      noteApproach(world, *claimant++, approaches_.nth(i));
     } else {
       approaches_.nth(i) = Approach();
     }
@@ -67,8 +69,12 @@ void TurnTaking::decide(const World& world, const AgentMap<RemainingPath>& paths
 }
 
 /// The time begins anew behind each narrow part.
-void TurnTaking::noteApproach(const Claimant& claimant, double time, Approach& approach) const {
-  if (approach.begin == NEVER || (approach.was_inside && !claimant.isInside())) approach.begin = time;
+void TurnTaking::noteApproach(const World& world, const Claimant& claimant, Approach& approach) {
+  if (approach.begin == NEVER || (approach.was_inside && !claimant.isInside())) {
+    approach.begin = world.time();
+    const auto people = static_cast<double>(countPeopleNear(world, claimant.position, CROWD_RADIUS, near_));
+    approach.priority_time = approach.begin - CROWD_TIME * people;
+  }
   approach.was_inside = claimant.isInside();
 }
 
@@ -94,25 +100,25 @@ void TurnTaking::addTraffic(const Claimant& claimant, const Claim& claim, Traffi
     const bool is_inside = its.isInside() && other.is_first_passage;
     if (cosine < OPPOSITE) {
       if (!other.is_narrow || width >= claimant.radius + its.radius + claim.room) return;
-      replaceIfLonger(is_inside ? traffic.opposite_inside : traffic.opposite, its);
+      replaceIfFirst(is_inside ? traffic.opposite_inside : traffic.opposite, its);
       traffic.do_opposite_walk = traffic.do_opposite_walk || (is_inside && its.gets_on);
     } else if (cosine > SAME) {
       const bool is_ahead =
           its.distance < claimant.distance || (its.distance == claimant.distance && its.agent < claimant.agent);
       if (is_ahead && !its.isInside() && !traffic.is_queued) traffic.is_queued = isRightBehind(claimant, its);
       if (is_inside) {
-        replaceIfLonger(traffic.same_inside, its);
+        replaceIfFirst(traffic.same_inside, its);
       } else if (other.is_narrow) {
-        replaceIfLonger(traffic.same, its);
+        replaceIfFirst(traffic.same, its);
       }
     }
   });
 }
 
-/// Of two agents that wait for the same time, the one with the lower id goes first.
+/// Of two agents with the same priority time, the one with the lower id goes first.
 void TurnTaking::rank() {
   const auto rank_of = [&](std::uint32_t claimant) {
-    return std::make_pair(approaches_[claims_.claimants()[claimant].agent].begin, claimant);
+    return std::make_pair(approaches_[claims_.claimants()[claimant].agent].priority_time, claimant);
   };
   order_.resize(claims_.claimants().size());
   std::iota(order_.begin(), order_.end(), 0U);
@@ -121,13 +127,13 @@ void TurnTaking::rank() {
   for (std::uint32_t i = 0; i < order_.size(); ++i) ranks_[order_[i]] = i;
 }
 
-bool TurnTaking::hasWaitedLonger(const Claimant& a, const Claimant& b) const {
+bool TurnTaking::hasPriority(const Claimant& a, const Claimant& b) const {
   const Claimant* first = claims_.claimants().data();
   return ranks_[static_cast<std::size_t>(&a - first)] < ranks_[static_cast<std::size_t>(&b - first)];
 }
 
-void TurnTaking::replaceIfLonger(const Claimant*& longest, const Claimant& other) const {
-  if (longest == nullptr || hasWaitedLonger(other, *longest)) longest = &other;
+void TurnTaking::replaceIfFirst(const Claimant*& first, const Claimant& other) const {
+  if (first == nullptr || hasPriority(other, *first)) first = &other;
 }
 
 bool TurnTaking::mustWait(const World& world, const Claimant& claimant, const Traffic& traffic) {
@@ -138,14 +144,14 @@ bool TurnTaking::mustWait(const World& world, const Claimant& claimant, const Tr
     blocked_since = world.time();
   }
   if (claimant.isInside()) {
-    return traffic.opposite_inside != nullptr && hasWaitedLonger(*traffic.opposite_inside, *traffic.same_inside);
+    return traffic.opposite_inside != nullptr && hasPriority(*traffic.opposite_inside, *traffic.same_inside);
   }
   if (traffic.is_queued) return true;
   if (claimant.distance >= WAITING_DISTANCE) return false;
   const bool is_blocked = blocked_since != NEVER && world.time() - blocked_since >= PATIENCE;
   if (traffic.opposite_inside != nullptr) return !is_blocked;
   if (traffic.opposite == nullptr) return false;
-  if (traffic.same_inside == nullptr) return hasWaitedLonger(*traffic.opposite, *traffic.same);
+  if (traffic.same_inside == nullptr) return hasPriority(*traffic.opposite, *traffic.same);
   const double same_begin = approaches_[traffic.same->agent].begin;
   return approaches_[traffic.opposite->agent].begin < same_begin - TURN_TIME - claimant.length;
 }

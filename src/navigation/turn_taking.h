@@ -16,8 +16,10 @@ namespace crowd {
 /// of one direction go one behind the other (docs/way_finding.md).
 ///
 /// The direction in which an agent has been on its way to the narrow part for the longest time goes first, and goes on
-/// for a while. Agents of the other direction wait at a distance, and step aside for those who come out. If both
-/// directions are inside, one of them stops, and walks back where it is in the way (DeadlockResolver).
+/// for a while. Each agent that was near it when it saw the narrow part counts like a time of waiting, so that people
+/// leave crowded places before others enter them (the idea of max-pressure control of traffic lights, Varaiya 2013).
+/// Agents of the other direction wait at a distance, and step aside for those who come out. If both directions are
+/// inside, one of them stops, and walks back where it is in the way (DeadlockResolver).
 ///
 /// Call contract: update() once per tick, after waypoints were set; it replaces waypoints of agents that step aside,
 /// and makes agents wait (Agent::yielding). Deterministic; depends only on the world and the ways. Not thread-safe.
@@ -28,6 +30,8 @@ class TurnTaking {
   static constexpr double PATIENCE = 8.0;          ///< agents wait for this time for those inside that stand [s]
   static constexpr double QUEUE_GAP = 0.2;         ///< in front of narrow parts [m]
   static constexpr double DECISION_TIME = 0.2;     ///< between two decisions whether to wait [s]
+  static constexpr double CROWD_TIME = 2.0;        ///< of waiting, which each agent near counts like [s]
+  static constexpr double CROWD_RADIUS = 2.0;      ///< in which agents are near [m]
 
   explicit TurnTaking(std::shared_ptr<const FloorRuler> floor) : floor_(std::move(floor)) {}
 
@@ -38,6 +42,7 @@ class TurnTaking {
   /// What an agent remembers about the narrow part ahead of it.
   struct Approach {
     double begin = NEVER;          // time at which it came into sight [s]
+    double priority_time = NEVER;  // this time, earlier by CROWD_TIME for each agent that was near it then [s]
     double blocked_since = NEVER;  // time since which agents of the opposite direction are inside and stand [s]
     bool was_inside = false;
     bool waits = false;
@@ -46,7 +51,7 @@ class TurnTaking {
   /// Who else is about to pass the first narrow part on an agent's way.
   struct Traffic {
     bool is_queued = false;              // an agent outside, nearer to the narrow part, is right ahead
-    const Claimant* opposite = nullptr;  // outside, the one that has waited for the longest time
+    const Claimant* opposite = nullptr;  // outside, the one with priority
     const Claimant* same = nullptr;      // the same, in the agent's direction; may be the agent itself
     const Claimant* opposite_inside = nullptr;
     const Claimant* same_inside = nullptr;
@@ -55,21 +60,22 @@ class TurnTaking {
   static constexpr double NEVER = -1.0;
 
   void decide(const World& world, const AgentMap<RemainingPath>& paths);
-  void noteApproach(const Claimant& claimant, double time, Approach& approach) const;
+  void noteApproach(const World& world, const Claimant& claimant, Approach& approach);
   void rank();
   Traffic trafficOf(const Claimant& claimant);
   void addTraffic(const Claimant& claimant, const Claim& claim, Traffic& traffic);
-  void replaceIfLonger(const Claimant*& longest, const Claimant& other) const;
-  bool hasWaitedLonger(const Claimant& a, const Claimant& b) const;
+  void replaceIfFirst(const Claimant*& first, const Claimant& other) const;
+  bool hasPriority(const Claimant& a, const Claimant& b) const;
   bool mustWait(const World& world, const Claimant& claimant, const Traffic& traffic);
   Vector2 sideOf(const World& world, const Claimant& claimant);
 
   std::shared_ptr<const FloorRuler> floor_;
   WayClaims claims_;
   AgentMap<Approach> approaches_;
-  std::vector<std::uint32_t> order_;  // of the claimants: who has waited for the longest time comes first
+  std::vector<std::uint32_t> order_;  // of the claimants: who has priority comes first
   std::vector<std::uint32_t> ranks_;  // of the claimants in this order
   std::uint64_t decision_tick_ = 0;   // of the next decision
+  std::vector<std::uint32_t> near_;   // by countPeopleNear()
 };
 
 }  // namespace crowd

@@ -162,6 +162,22 @@ bool givesWayToRobot(Yields yields) {
   return crowd.givesWay(0);
 }
 
+/// Two agents stand head-on, and three people where the path of one of them leads to, 3 m ahead. With three the axis, which
+/// counts like up to two, does not matter.
+TEST(DeadlockResolver, WhoEntersACrowdGivesWay) {
+  for (const double side : {1.0, -1.0}) {
+    std::vector<AgentStart> agents = {walker({-0.21, 0.0}, {9.0, 0.0}), walker({0.21, 0.0}, {-9.0, 0.0})};
+    for (const double y : {-1.2, 0.0, 1.2}) agents.push_back(walker({2.8 * side, y}, {2.8 * side, 20.0 + y}));
+    Crowd crowd(agents);
+    for (int turn = 0; turn < 8; ++turn) {
+      while (!crowd.givesWay(0) && !crowd.givesWay(1) && crowd.world.time() < 100.0) crowd.stand();
+      EXPECT_EQ(crowd.givesWay(0), side > 0.0) << crowd.world.time();
+      EXPECT_EQ(crowd.givesWay(1), side < 0.0) << crowd.world.time();
+      while (crowd.doesAnyGiveWay()) crowd.stand();
+    }
+  }
+}
+
 TEST(DeadlockResolver, GivesWayToARobotIfTheCrowdYields) {
   EXPECT_TRUE(givesWayToRobot(Yields::CROWD));
   EXPECT_TRUE(givesWayToRobot(Yields::BOTH));

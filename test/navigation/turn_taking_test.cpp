@@ -67,6 +67,16 @@ TEST(TurnTaking, WhoHasWaitedLongerGoesFirst) {
   EXPECT_TRUE(door.mayWalk(1));
 }
 
+/// All come into sight at the same time. Agents 0 and 1 are 2.4 m from each other: neither is near the other one.
+TEST(TurnTaking, WhoLeavesACrowdGoesFirst) {
+  Door crowd_in_the_east({east(-1.2, 0.0), west(1.2, 0.0), west(1.9, 0.5), west(1.9, -0.5)});
+  EXPECT_FALSE(crowd_in_the_east.mayWalk(0));
+  EXPECT_TRUE(crowd_in_the_east.mayWalk(1));
+  Door crowd_in_the_west({west(1.2, 0.0), east(-1.2, 0.0), east(-1.9, 0.5), east(-1.9, -0.5)});
+  EXPECT_FALSE(crowd_in_the_west.mayWalk(0));
+  EXPECT_TRUE(crowd_in_the_west.mayWalk(1));
+}
+
 TEST(TurnTaking, AgentsPassEachOtherInAWideDoor) {
   Door door({east(-1.0, 0.0), west(1.0, 0.0)}, 2.6);
   EXPECT_TRUE(door.mayWalk(0));
