@@ -162,8 +162,8 @@ bool DeadlockResolver::isBlockedByRobot(const World& world, const Agent& agent) 
   return std::any_of(world.robots().begin(), world.robots().end(), blocks);
 }
 
-/// Of two agents in opposite directions, above 0 if the first one has priority: who leaves a crowd goes before who enters
-/// it. The axis counts like up to two people, so that not the same agents give way for ever.
+/// Of two agents in opposite directions, above 0 if the first one has priority: who leaves a crowd goes before who
+/// enters it. The axis counts like up to two people, so that not the same agents give way for ever.
 double DeadlockResolver::priorityOver(const World& world, const Walk& own, const Walk& its) {
   const auto people_ahead = [&](const Walk& walk) {
     return static_cast<double>(countPeopleNear(world, walk.ahead, CROWD_RADIUS, near_people_));

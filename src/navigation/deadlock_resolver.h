@@ -95,8 +95,8 @@ class DeadlockResolver {
   std::vector<AgentId> retreating_;  // of this tick
   std::vector<std::uint32_t> near_walls_;
   std::vector<std::uint32_t> near_people_;  // by countPeopleNear()
-  std::vector<Walker> walkers_;  // of this tick, by x; empty until it is needed
-  double largest_radius_ = 0.0;  // of the walkers [m]
+  std::vector<Walker> walkers_;             // of this tick, by x; empty until it is needed
+  double largest_radius_ = 0.0;             // of the walkers [m]
 };
 
 }  // namespace crowd

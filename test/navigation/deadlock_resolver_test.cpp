@@ -162,8 +162,8 @@ bool givesWayToRobot(Yields yields) {
   return crowd.givesWay(0);
 }
 
-/// Two agents stand head-on, and three people where the path of one of them leads to, 3 m ahead. With three the axis, which
-/// counts like up to two, does not matter.
+/// Two agents stand head-on, and three people where the path of one of them leads to, 3 m ahead. With three the axis,
+/// which counts like up to two, does not matter.
 TEST(DeadlockResolver, WhoEntersACrowdGivesWay) {
   for (const double side : {1.0, -1.0}) {
     std::vector<AgentStart> agents = {walker({-0.21, 0.0}, {9.0, 0.0}), walker({0.21, 0.0}, {-9.0, 0.0})};
