@@ -1,12 +1,14 @@
 """Runs another program and forwards signals to it; ends the launch that started this process, as launch_end.h does for
 C++ nodes; ports for ROS masters."""
 import os
+import random
 import signal
 import socket
 import subprocess
 
 STOPS = {signal.SIGINT, signal.SIGTERM}
 PATIENCE = 20.0  # [s] time for roslaunch to stop this process
+LOWEST_PORT = 12000  # that free_port() returns: above the default port of ROS
 
 
 class Program:
@@ -33,10 +35,18 @@ class Program:
 
 
 def free_port():
-    """Returns a TCP port of this machine that is free at present."""
-    with socket.socket() as probe:
-        probe.bind(('127.0.0.1', 0))
-        return probe.getsockname()[1]
+    """Returns a TCP port of this machine that is free at present, below those that the system gives to programs which
+    ask for any: until the caller's server has started, no other program gets it by chance."""
+    with open('/proc/sys/net/ipv4/ip_local_port_range', encoding='ascii') as stream:
+        lowest_given = int(stream.read().split()[0])
+    while True:
+        port = random.randrange(LOWEST_PORT, max(lowest_given, LOWEST_PORT + 1000))
+        with socket.socket() as probe:
+            try:
+                probe.bind(('127.0.0.1', port))
+            except OSError:
+                continue
+        return port
 
 
 def end_launch():

@@ -1,12 +1,15 @@
 """Python programs that roslaunch starts: scripts/show_crowd, learner_crew, robot_crew and play_bag."""
 import os
+import random
 import signal
+import socket
 import types
 
 import pytest
 import rospy
 from crowd_launching import back_off, robot_crew
 from crowd_launching.nodes import ending_of
+from crowd_launching.program import LOWEST_PORT, free_port
 from crowd_launching.rviz import MOST, draws_in_software, scale_for, sides_of
 from geometry_msgs.msg import Point, Pose2D
 from nav_msgs.msg import Odometry
@@ -28,6 +31,23 @@ while True:
 def program(name):
     """Returns the path of a program."""
     return find_node('social_crowd', name)[0]
+
+
+class PortTest:
+    """Ports for ROS masters."""
+
+    def test_no_program_that_asks_for_any_port_gets_it(self):
+        with open('/proc/sys/net/ipv4/ip_local_port_range', encoding='ascii') as stream:
+            lowest_given = int(stream.read().split()[0])
+        assert all(LOWEST_PORT <= free_port() < lowest_given for _ in range(20))
+
+    def test_a_port_in_use_is_not_returned(self, monkeypatch):
+        with socket.socket() as server:
+            used = free_port()
+            server.bind(('127.0.0.1', used))
+            draws = iter((used, used, used + 1))
+            monkeypatch.setattr(random, 'randrange', lambda *_: next(draws))
+            assert free_port() == used + 1
 
 
 class SoftwareTest:
