@@ -20,7 +20,7 @@ constexpr double TOUCH = 0.1;             // bodies nearer to each other than th
 constexpr double BESIDE = 0.2;            // behind the line beside an agent [m]
 constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
 constexpr double CONTACT = 0.02;          // an agent slides along what is nearer than this [m]
-constexpr double AHEAD = 3.0;             // of an agent on its path, the point that it walks towards [m]
+constexpr double AHEAD = 3.0;             // distance on its path of the point that gives an agent's direction [m]
 constexpr double WALKED_BACK = 0.1;       // an agent that moved less could not walk back [m]
 constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
 

@@ -64,7 +64,7 @@ class DeadlockResolver {
     bool cannot_walk_back = false;           // at its last attempt, and it has made no progress since
     bool leaves_trail = false;               // walks back against its direction, not along its trail
     Vector2 course = Vector2::UnitX();       // direction of its path, or back [unit vector]
-    Vector2 ahead = Vector2::Zero();         // the point of its path 3 m ahead, before it walked back [m]
+    Vector2 ahead = Vector2::Zero();         // the point AHEAD on its path, before it walked back [m]
   };
 
   /// An agent that walks.

@@ -72,7 +72,7 @@ class TurnTaking {
   std::shared_ptr<const FloorRuler> floor_;
   WayClaims claims_;
   AgentMap<Approach> approaches_;
-  std::vector<std::uint32_t> order_;  // of the claimants: who has priority comes first
+  std::vector<std::uint32_t> order_;  // the claimants, by descending priority
   std::vector<std::uint32_t> ranks_;  // of the claimants in this order
   std::uint64_t decision_tick_ = 0;   // of the next decision
   std::vector<std::uint32_t> near_;   // by countPeopleNear()

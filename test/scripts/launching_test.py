@@ -1,4 +1,5 @@
 """Python programs that roslaunch starts: scripts/show_crowd, learner_crew, robot_crew and play_bag."""
+import itertools
 import os
 import random
 import signal
@@ -39,15 +40,17 @@ class PortTest:
     def test_no_program_that_asks_for_any_port_gets_it(self):
         with open('/proc/sys/net/ipv4/ip_local_port_range', encoding='ascii') as stream:
             lowest_given = int(stream.read().split()[0])
+        if lowest_given <= LOWEST_PORT:
+            pytest.skip('the system gives all ports')
         assert all(LOWEST_PORT <= free_port() < lowest_given for _ in range(20))
 
     def test_a_port_in_use_is_not_returned(self, monkeypatch):
         with socket.socket() as server:
             used = free_port()
             server.bind(('127.0.0.1', used))
-            draws = iter((used, used, used + 1))
+            draws = itertools.chain((used, used), itertools.count(used + 1))
             monkeypatch.setattr(random, 'randrange', lambda *_: next(draws))
-            assert free_port() == used + 1
+            assert free_port() > used
 
 
 class SoftwareTest:
