@@ -1,5 +1,6 @@
 // RViz as a test sees it: the program `rviz`, and answers about its widgets on the standard input and output, so that
 // the test can click where a widget is. A request is a line "place NAME", "size NAME", "text NAME" or "enabled NAME",
+// or "entries NAME" of a choice, whose answer is the list of them, with tabs between them,
 // or "view PROPERTY" of the present view, whose answer is its value, or "frames", the number
 // of frames drawn so far, or "pressed NAME", whether the mouse was pressed on the widget since its place was asked for;
 // the answer is a line.
@@ -82,6 +83,14 @@ QString textOf(const QWidget* widget) {
   return widget->windowTitle();
 }
 
+/// The entries of a choice, with tabs between them.
+QString entriesOf(const QWidget* widget) {
+  const auto* const choice = qobject_cast<const QComboBox*>(widget);
+  QStringList entries;
+  for (int i = 0; choice != nullptr && i < choice->count(); ++i) entries << choice->itemText(i);
+  return entries.join('\t');
+}
+
 /// Scrolls so that a widget can be clicked on, as a user would do.
 void scrollTo(QWidget* widget) {
   for (QWidget* outer = widget->parentWidget(); outer != nullptr; outer = outer->parentWidget()) {
@@ -113,6 +122,7 @@ std::string answer(const std::string& verb, const std::string& name) {
   if (widget == nullptr) return "no such widget";
   if (verb == "enabled") return widget->isEnabled() ? "yes" : "no";
   if (verb == "text") return textOf(widget).replace('\n', ' ').toStdString();
+  if (verb == "entries") return entriesOf(widget).toStdString();
   if (verb == "size") return std::to_string(widget->width()) + " " + std::to_string(widget->height());
   scrollTo(widget);
   presses().clear();
