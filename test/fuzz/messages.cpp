@@ -13,7 +13,7 @@
 #include "fuzz/small_world.h"
 #include "maps/map_walls.h"
 #include "robots/external_robot.h"
-#include "ros/learner/learner_visions.h"
+#include "ros/controller/learner_visions.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/motion_fields.h"
 #include "ros/messages/perception_limiter.h"

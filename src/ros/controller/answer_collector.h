@@ -10,8 +10,8 @@
 
 #include "ros/controller/answering_learners.h"
 #include "ros/controller/controller_parameters.h"
+#include "ros/controller/learner_visions.h"
 #include "ros/controller/perceptions_publisher.h"
-#include "ros/learner/learner_visions.h"
 #include "ros/messages/tick_messages.h"
 #include "ros/node/main_loop.h"
 #include "simulation/episode.h"

@@ -8,12 +8,13 @@
 #include "ros/node/diagnostic_period.h"
 #include "ros/node/live_parameters.h"
 #include "ros/node/parameters.h"
+#include "ros/robots/robot_parameters.h"
 #include "scenario/robot_metric_options.h"
 
 namespace crowd {
 
-/// @brief Parameters of the node crowd_controller with their defaults and ranges.
-struct ControllerParameters {
+/// @brief Parameters of the node crowd_controller with their defaults, and the ranges of all.
+struct ControllerParameters : RobotParameters {
   static constexpr NumberRange REAL_TIME_FACTOR{0.0, 1e6};
   static constexpr NumberRange START_DEADLINE{0.0, 3600.0, "s"};
   static constexpr NumberRange DEADLINE{1e-3, 3600.0, "s"};  ///< for an answer or command
@@ -34,17 +35,10 @@ struct ControllerParameters {
   bool paused = false;               ///< ~paused: start paused
   double start_deadline = 30.0;      ///< ~start_deadline: timeout for learners that never answered [s]
   double answer_deadline = 1.0;      ///< ~answer_deadline: timeout for an answer [s], wall clock
-  int misses_until_absent = 3;       ///< ~misses_until_absent: consecutive missed answers until an agent is absent
   unsigned threads = 1;              ///< ~threads: that share the agents of a tick
   double agents_rate = 50.0;         ///< ~agents_rate: maximum rate of agents and tf [Hz]; 0: every tick
   bool publish_tf = false;           ///< ~publish_tf: map -> agent_<id>
   bool publish_clock = false;        ///< ~publish_clock: simulated time on /clock
-  bool robot_lockstep = false;       ///< ~robot_lockstep: each tick waits for the commands of the robots
-  double command_deadline = 0.5;     ///< ~command_deadline: timeout for these commands [s], wall clock
-  double command_period = 0.0;       ///< ~command_period: simulated time between two of them [s]; 0: every tick
-  bool publish_localisation = true;  ///< ~publish_localisation: map -> odom of the robots
-  double odometry_rate = 0.0;        ///< ~odometry_rate: of odom and tf of robots, simulated time [Hz]; 0: every tick
-  bool visible_people_only = false;  ///< ~visible_people_only: robots track people whom their scanners see, no others
   RobotMetricOptions robot_metrics;  ///< ~progress_distance [m], ~progress_time [s], ~stalled_speed [m/s]
   std::string trajectories;          ///< ~trajectories: folder of recordings; empty: none
   std::string robot_series;          ///< ~robot_series: folder of time series of robots; empty: none

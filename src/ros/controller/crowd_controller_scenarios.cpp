@@ -10,11 +10,11 @@
 #include "common/text/numbers.h"
 #include "common/text/quotes.h"
 #include "ros/controller/crowd_controller.h"
-#include "ros/markers/floor_scene.h"
 #include "ros/messages/names.h"
 #include "scenario/reading/scenario_files.h"
 #include "scenario/reading/scenario_reader.h"
 #include "scenario/writing/scene_document.h"
+#include "simulation/floor_scene.h"
 
 namespace crowd {
 namespace {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "ros/robots/robot_messages.h"
 #include "simulation/evaluation/metrics.h"
 
 namespace crowd {
@@ -95,6 +94,18 @@ void toMessage(const World& world, social_crowd::AgentStates& message) {
   message.time = world.time();
   toMessages(world.agents(), message.agents);
   message.obstacles = obstacleStates(world);
+}
+
+social_crowd::RobotResult toMessage(const RobotResult& result) {
+  social_crowd::RobotResult message;
+  message.robot = result.name;
+  const auto copy = [](const char* /*name*/, const auto& value, auto& field) { field = value; };
+  RobotResult::visitMeasures(copy, result, message);
+  RobotInput::visitFields(copy, result.input, message);
+  for (const RobotGoalResult& goal : result.goals) {
+    RobotGoalResult::visitFields(copy, goal, message.goals.emplace_back());
+  }
+  return message;
 }
 
 void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message) {

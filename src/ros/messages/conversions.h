@@ -6,6 +6,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <social_crowd/AgentStates.h>
 #include <social_crowd/EpisodeResult.h>
+#include <social_crowd/RobotResult.h>
 #include <social_crowd/Scenario.h>
 #include <social_crowd/Wall.h>
 
@@ -29,6 +30,7 @@ Vector2 fromVector3(const geometry_msgs::Vector3& vector);
 /// @brief Writes agents, obstacles, tick and time; not header and episode.
 void toMessage(const World& world, social_crowd::AgentStates& message);
 
+social_crowd::RobotResult toMessage(const RobotResult& result);
 /// @brief Writes the metrics of the episode, of each agent and of each robot; not header, episode, instance and counts
 /// of answers.
 void toMessage(const EpisodeResult& result, social_crowd::EpisodeResult& message);

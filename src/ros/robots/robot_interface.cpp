@@ -31,7 +31,7 @@ std::vector<std::string> identitiesOf(const std::vector<Robot>& robots) {
 
 }  // namespace
 
-RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters,
+RobotInterface::RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const RobotParameters& parameters,
                                std::function<ros::Time()> clock)
     : node_(node),
       clock_(clock),

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "robots/robot_senses.h"
-#include "ros/controller/command_collector.h"
-#include "ros/controller/controller_parameters.h"
 #include "ros/node/main_loop.h"
+#include "ros/robots/command_collector.h"
 #include "ros/robots/pose_collector.h"
+#include "ros/robots/robot_parameters.h"
 #include "ros/robots/robot_topics.h"
 #include "ros/robots/robot_transforms.h"
 #include "simulation/episode.h"
@@ -27,7 +27,7 @@ namespace crowd {
 class RobotInterface {
  public:
   /// @param node whose callbacks `loop` serves @param clock the present time, simulated time with ~publish_clock
-  RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const ControllerParameters& parameters,
+  RobotInterface(MainLoop& loop, const ros::NodeHandle& node, const RobotParameters& parameters,
                  std::function<ros::Time()> clock);
 
   /// @brief Begins an episode, which must outlive the next call; a wait() in progress ends.

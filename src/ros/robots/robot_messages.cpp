@@ -198,18 +198,6 @@ void writeCounts(const PoseInput& input, social_crowd::RobotState& message) {
   message.pose_stale = input.counts.stale;
 }
 
-social_crowd::RobotResult toMessage(const RobotResult& result) {
-  social_crowd::RobotResult message;
-  message.robot = result.name;
-  const auto copy = [](const char* /*name*/, const auto& value, auto& field) { field = value; };
-  RobotResult::visitMeasures(copy, result, message);
-  RobotInput::visitFields(copy, result.input, message);
-  for (const RobotGoalResult& goal : result.goals) {
-    RobotGoalResult::visitFields(copy, goal, message.goals.emplace_back());
-  }
-  return message;
-}
-
 social_crowd::Neighbour toMessage(const Neighbour& neighbour) {
   social_crowd::Neighbour message;
   message.kind = static_cast<std::uint8_t>(neighbour.kind);

@@ -9,7 +9,6 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <social_crowd/Neighbour.h>
 #include <social_crowd/RobotObservation.h>
-#include <social_crowd/RobotResult.h>
 #include <social_crowd/RobotState.h>
 
 #include <string>
@@ -20,7 +19,6 @@
 #include "robots/robot_observation.h"
 #include "robots/robot_senses.h"
 #include "ros/robots/pose_collector.h"
-#include "social_crowd/results.h"
 #include "world/world.h"
 
 /// Conversions of robots and their sensors to messages. The caller sets headers, unless it says otherwise.
@@ -64,7 +62,6 @@ geometry_msgs::Polygon toMessage(const Footprint& footprint);
 social_crowd::RobotState toMessage(const Robot& robot, RobotId id);
 void writeCounts(const CommandCounts& counts, social_crowd::RobotState& message);
 void writeCounts(const PoseInput& input, social_crowd::RobotState& message);
-social_crowd::RobotResult toMessage(const RobotResult& result);
 social_crowd::Neighbour toMessage(const Neighbour& neighbour);
 /// @brief All fields but header, scan, people and result.
 social_crowd::RobotObservation toMessage(const RobotStart& start, const RobotObservation& seen);

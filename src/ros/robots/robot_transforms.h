@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "robots/robot_senses.h"
-#include "ros/controller/controller_parameters.h"
+#include "ros/robots/robot_parameters.h"
 #include "ros/robots/robot_topics.h"
 
 namespace crowd {
@@ -20,7 +20,7 @@ class RobotTransforms {
  public:
   using Topics = std::vector<std::unique_ptr<RobotTopics>>;
 
-  explicit RobotTransforms(const ControllerParameters& parameters)
+  explicit RobotTransforms(const RobotParameters& parameters)
       : publish_localisation_(parameters.publish_localisation), odometry_rate_(parameters.odometry_rate) {}
 
   /// @brief Call it before the functions below.

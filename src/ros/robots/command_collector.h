@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "robots/robot_commands.h"
-#include "ros/controller/controller_parameters.h"
 #include "ros/node/main_loop.h"
+#include "ros/robots/robot_parameters.h"
 #include "simulation/episode.h"
 
 namespace crowd {
@@ -24,7 +24,7 @@ class CommandCollector {
   using Commands = std::map<RobotId, Twist>;
 
   /// @param parameters of the owner; ~command_deadline and ~misses_until_absent may change between two calls
-  CommandCollector(MainLoop& loop, const ControllerParameters& parameters);
+  CommandCollector(MainLoop& loop, const RobotParameters& parameters);
 
   /// @brief Begins an episode, which must outlive the next call; a wait() in progress ends.
   void begin(Episode& episode);
@@ -81,7 +81,7 @@ class CommandCollector {
   bool await();
 
   MainLoop& loop_;
-  const ControllerParameters& parameters_;
+  const RobotParameters& parameters_;
   Episode* episode_ = nullptr;
   RobotCommands commands_;
   std::optional<Commands> held_;

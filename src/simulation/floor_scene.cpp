@@ -1,4 +1,4 @@
-#include "ros/markers/floor_scene.h"
+#include "simulation/floor_scene.h"
 
 #include <algorithm>
 #include <map>

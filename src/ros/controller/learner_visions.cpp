@@ -1,4 +1,4 @@
-#include "ros/learner/learner_visions.h"
+#include "ros/controller/learner_visions.h"
 
 #include <ros/console.h>
 

@@ -1,4 +1,4 @@
-#include "ros/controller/command_collector.h"
+#include "ros/robots/command_collector.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@
 namespace crowd {
 namespace {
 
-CommandSettings settingsOf(const ControllerParameters& parameters) {
+CommandSettings settingsOf(const RobotParameters& parameters) {
   CommandSettings settings;
   settings.lockstep = parameters.robot_lockstep;
   settings.period = parameters.command_period;
@@ -20,7 +20,7 @@ CommandSettings settingsOf(const ControllerParameters& parameters) {
 
 }  // namespace
 
-CommandCollector::CommandCollector(MainLoop& loop, const ControllerParameters& parameters)
+CommandCollector::CommandCollector(MainLoop& loop, const RobotParameters& parameters)
     : loop_(loop), parameters_(parameters), commands_(settingsOf(parameters)) {}
 
 void CommandCollector::begin(Episode& episode) {
