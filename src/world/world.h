@@ -15,6 +15,7 @@
 #include "world/agent_map.h"
 #include "world/departed_agents.h"
 #include "world/neighbours.h"
+#include "world/obstacles.h"
 #include "world/relative_action.h"
 #include "world/robots.h"
 #include "world/walls.h"
@@ -78,12 +79,10 @@ class World {
   }
 
   /// @brief All obstacles, also recorded people who are not present now.
-  const std::vector<Obstacle>& obstacles() const { return obstacles_; }
+  const std::vector<Obstacle>& obstacles() const { return obstacles_.list(); }
   bool isPresent(const Obstacle& obstacle) const { return obstacle.path.isPresent(time()); }
   /// @brief The recorded people who are present, in `map`.
-  std::vector<Neighbour> recordedPeople() const;
-  /// @brief Their motions in the coming tick; none without robots.
-  std::vector<PersonMotion> recordedMotions() const;
+  std::vector<Neighbour> recordedPeople() const { return obstacles_.recordedPeople(); }
   const Walls& walls() const { return walls_; }
   /// @brief Number of changes of walls and obstacles at rest, for caches of what depends on them.
   std::uint64_t layoutChanges() const { return layout_changes_; }
@@ -123,15 +122,21 @@ class World {
  private:
   friend class WorldEditor;
 
+  /// Bodies of a solid world: agents by position, then obstacles.
+  struct BodyRange {
+    std::size_t begin = 0;
+    std::size_t end = static_cast<std::size_t>(-1);
+
+    bool contains(std::size_t body) const { return begin <= body && body < end; }
+  };
+
+  double endOfTick() const { return static_cast<double>(tick_ + 1) * tick_duration_; }
   void hold(Agent& agent, const RelativeAction* action) const;
   void beginMove(Agent& agent, const RelativeAction* action) const;
-  /// Computes the motions of the solid bodies for which moves(body) holds (agents by position, then obstacles); the
-  /// others stand still.
-  template <typename Moves>
-  void computeSolidMotions(const Moves& moves);
+  /// Computes the motions of solid bodies; those that are not moving stand still.
+  void computeSolidMotions(const BodyRange& moving);
   /// Carries out these motions.
-  template <typename Moves>
-  void carryOutSolidMotions(const Moves& moves);
+  void carryOutSolidMotions(const BodyRange& moving);
   void finishTick(ThreadPool& thread_pool);
   /// Removes the agents that left before this tick from `agents_`. @return whether there were any
   bool dropDeparted();
@@ -139,13 +144,11 @@ class World {
   void followPace(Agent& agent) const;
   /// Whether the rim of another body, or a wall, is within the distance of the agent's centre.
   bool isAnythingWithin(double distance, std::size_t position) const;
+  /// The motions of recorded people in the coming tick; none without robots.
+  std::vector<PersonMotion> recordedMotions() const;
   void rebuildGrid();
-  /// Moves the obstacles to where they are now. @return whether some have appeared or are gone
-  bool moveObstacles();
   /// Moves all bodies in the grid, which must contain them already.
   void updateGrid();
-  /// Makes obstacles and grid what they are after a change.
-  void refresh();
 
   StopRequest stop_;
   double tick_duration_;
@@ -159,19 +162,12 @@ class World {
   std::size_t entered_count_ = 0;
   bool has_groups_ = false;
   DepartedAgents departed_;
-  std::vector<Obstacle> obstacles_;
+  Obstacles obstacles_;
   Robots robots_;
   Walls walls_;
   std::uint64_t layout_changes_ = 1;
   std::size_t active_count_ = 0;
 
-  std::vector<ObstaclePath::Motion> obstacle_motions_;  // at the present time
-  struct MovingObstacle {
-    std::size_t number = 0;
-    std::size_t rank = ABSENT;  // among the obstacles in the grid
-  };
-  static constexpr std::size_t ABSENT = static_cast<std::size_t>(-1);
-  std::vector<MovingObstacle> moving_obstacles_;
   NeighbourGrid grid_;
   std::vector<SolidMotion::Disc> discs_;  // scratch
   SolidMotion solid_motion_;

@@ -43,7 +43,7 @@ AgentId WorldEditor::spawnAgent(const AgentStart& start) {
   ++world_.entered_count_;
   world_.has_groups_ = world_.has_groups_ || start.group != NO_GROUP;
   ++world_.active_count_;
-  world_.refresh();
+  world_.rebuildGrid();
   note(change);
   return agent.id;
 }
@@ -56,7 +56,7 @@ std::vector<Agent> WorldEditor::replaceAgents(std::vector<Agent> agents) {
     world_.agents_.add(agent.id) = std::move(agent);
   }
   world_.lasting_count_ = agents.size();
-  world_.refresh();
+  world_.rebuildGrid();
   note({});
   return former;
 }
@@ -65,7 +65,7 @@ void WorldEditor::end(AgentId id, AgentStatus status) {
   Agent& agent = world_.walkingAgent(id);
   agent.end(status, world_.tick());
   --world_.active_count_;
-  world_.refresh();
+  world_.rebuildGrid();
   note({});
 }
 
@@ -96,7 +96,7 @@ void WorldEditor::replaceAgent(const Agent& agent, bool new_goal) {
   change.new_goal = new_goal;
   review(change);
   world_.agents_[agent.id] = agent;
-  if (!new_goal) world_.refresh();
+  if (!new_goal) world_.rebuildGrid();
   note(change);
 }
 
@@ -112,8 +112,8 @@ void WorldEditor::replaceObstacles(std::vector<Obstacle> obstacles) {
   WorldChange change;
   change.obstacles = &obstacles;
   review(change);
-  world_.obstacles_ = std::move(obstacles);
-  world_.refresh();
+  world_.obstacles_ = Obstacles(std::move(obstacles), world_.time());
+  world_.rebuildGrid();
   noteLayout({});
 }
 
@@ -123,8 +123,8 @@ void WorldEditor::noteLayout(const WorldChange& change) {
 }
 
 const Obstacle& WorldEditor::requireObstacle(std::size_t number) const {
-  if (number >= world_.obstacles_.size()) throw InputError("there is no obstacle " + std::to_string(number));
-  const Obstacle& obstacle = world_.obstacles_[number];
+  if (number >= world_.obstacles().size()) throw InputError("there is no obstacle " + std::to_string(number));
+  const Obstacle& obstacle = world_.obstacles()[number];
   if (!obstacle.person) return obstacle;
   throw InputError("obstacle " + std::to_string(number) + " is " + nameOf(obstacle, number) +
                    ", who cannot be moved or removed");
@@ -135,10 +135,10 @@ std::size_t WorldEditor::spawnObstacle(const Vector2& position, const Vector2& v
   requirePlace("position [m]", position);
   requireWithin(limits::VELOCITY, "velocity [m/s]", velocity);
   requireFreePlace(position, radius, true);
-  std::vector<Obstacle> obstacles = world_.obstacles_;
+  std::vector<Obstacle> obstacles = world_.obstacles();
   obstacles.push_back({pathFromNow(position, velocity, world_.time()), radius});
   replaceObstacles(std::move(obstacles));
-  return world_.obstacles_.size() - 1;
+  return world_.obstacles().size() - 1;
 }
 
 void WorldEditor::moveObstacle(std::size_t number, const Vector2& position) {
@@ -147,15 +147,17 @@ void WorldEditor::moveObstacle(std::size_t number, const Vector2& position) {
   requireFreePlace(position, obstacle.radius, true);
   const bool keeps = obstacle.path.kind() == ObstaclePath::Kind::STRAIGHT;
   const Vector2 velocity = keeps ? obstacle.path.velocity(world_.time()) : Vector2(Vector2::Zero());
-  std::vector<Obstacle> obstacles = world_.obstacles_;
+  std::vector<Obstacle> obstacles = world_.obstacles();
   obstacles[number].path = pathFromNow(position, velocity, world_.time());
   replaceObstacles(std::move(obstacles));
 }
 
 void WorldEditor::removeObstacle(std::size_t number) {
   requireObstacle(number);
-  world_.obstacles_.erase(world_.obstacles_.begin() + static_cast<std::ptrdiff_t>(number));
-  world_.refresh();
+  std::vector<Obstacle> obstacles = world_.obstacles();
+  obstacles.erase(obstacles.begin() + static_cast<std::ptrdiff_t>(number));
+  world_.obstacles_ = Obstacles(std::move(obstacles), world_.time());
+  world_.rebuildGrid();
   noteLayout({});
 }
 
