@@ -37,16 +37,8 @@ Learner::Learner(Model model, Options options, QTable table)
       tables_(std::move(table), options_.tables) {
   const std::string problems = parameters_.problems();
   if (!problems.empty()) throw InputError(problems);
-  checkShape(tables_.table(TableStore::BASE));
+  requireShape(tables_.base(), model_.state_set->rowCount(), model_.action_set->size());
   if (options_.mode == Mode::TRAINING) tables_.beginSources();
-}
-
-void Learner::checkShape(const QTable& table) const {
-  const Row rows = model_.state_set->rowCount();
-  const Action actions = model_.action_set->size();
-  if (table.rows() == rows && table.actions() == actions) return;
-  throw ShapeError("expected a Q-table of " + std::to_string(rows) + " rows and " + std::to_string(actions) +
-                   " actions, got " + std::to_string(table.rows()) + " and " + std::to_string(table.actions()));
 }
 
 void Learner::beginEpisode(std::uint64_t episode) {
@@ -59,32 +51,21 @@ void Learner::beginEpisode(std::uint64_t episode) {
 }
 
 std::uint32_t Learner::addAgent(AgentId agent) {
-  const auto [known, is_new] = places_.try_emplace(agent, memories_.size());
-  if (!is_new) return known->second;
-  if (!free_places_.empty()) {
-    known->second = free_places_.back();
-    free_places_.pop_back();
-  } else {
-    memories_.emplace_back();
-    tables_.addUser();
-  }
-  return known->second;
+  const std::uint32_t place = tables_.add(agent);
+  if (place >= memories_.size()) memories_.resize(place + 1);
+  return place;
 }
 
 void Learner::forgetDeparted(const Perceptions& perceptions) {
-  if (places_.size() <= most_known_ || tables_.use() == TableUse::OWN) return;
-  for (auto known = places_.begin(); known != places_.end();) {
-    Memory& memory = memories_[known->second];
+  if (tables_.size() <= most_known_ || tables_.use() == TableUse::OWN) return;
+  tables_.forgetIf([&](std::uint32_t place) {
+    Memory& memory = memories_[place];
     // In a sequential scenario some agents have not had their turn in this tick yet.
-    if (memory.episode == perceptions.episode && memory.tick + 1 >= perceptions.tick) {
-      ++known;
-      continue;
-    }
+    if (memory.episode == perceptions.episode && memory.tick + 1 >= perceptions.tick) return false;
     memory = Memory();
-    free_places_.push_back(known->second);
-    known = places_.erase(known);
-  }
-  most_known_ = 2 * places_.size() + FEW_AGENTS;
+    return true;
+  });
+  most_known_ = 2 * tables_.size() + FEW_AGENTS;
 }
 
 void Learner::decide(const Perceptions& perceptions, RelativeActions& actions, ThreadPool& thread_pool) {
@@ -146,14 +127,14 @@ void Learner::decideInParts(const Perceptions& perceptions, std::vector<AgentAct
 /// Decides for the agents begin .. end - 1 in demo mode.
 void Learner::decideSome(const Perceptions& perceptions, std::size_t begin, std::size_t end,
                          DecisionWorkspace& workspace, std::vector<AgentAction>& actions) const {
-  const auto place_of = [this](AgentId agent) { return placeOf(agent); };
+  const auto place_of = [this](AgentId agent) { return tables_.placeOf(agent); };
   // One batch after the other, whose data stay in the cache.
   for (std::size_t first = begin; first < end; first += MAX_BATCH) {
     perceive(perceptions, first, std::min(first + MAX_BATCH, end), place_of, workspace);
     findRows(workspace);
     answer(workspace, actions, [&](std::size_t k) {
       const double tie = tieOf(perceptions, workspace.seen[k].self.agent);
-      return chooseGreedy(tables_.table(workspace.places[k]), rowsOf(workspace, k), tie);
+      return chooseGreedy(tables_.at(workspace.places[k]), rowsOf(workspace, k), tie);
     });
   }
 }
@@ -228,7 +209,7 @@ inline void Learner::learnOne(const Perception& seen, const Perceptions& percept
     memory.learner.resetTraces();
     return;
   }
-  QTable& table = tables_.writable(place);
+  QTable& table = tables_.writableAt(place);
   const double reward = (*model_.reward)(memory.before, seen, now.arrived ? 0 : rows[0]);
   if (now.arrived) {
     memory.learner.learnTerminal(table, reward, parameters_, learning_rates_, mirror_);
@@ -243,7 +224,7 @@ inline void Learner::learnOne(const Perception& seen, const Perceptions& percept
 /// Chooses epsilon-greedily and records the decision.
 inline Action Learner::explore(const KeyedRandom& chance, const Perceptions& perceptions, std::size_t k) {
   const AgentPerception& self = workspace_.seen[k].self;
-  const QTable& table = tables_.table(workspace_.places[k]);
+  const QTable& table = tables_.at(workspace_.places[k]);
   const Rows rows = rowsOf(workspace_, k);
   KeyedRandom random = chance.with(self.agent);
   const double draw = random.uniform();
@@ -274,7 +255,7 @@ std::optional<DecisionValues> Learner::valuesOf(const Perceptions& perceptions, 
   DecisionWorkspace workspace;
   const auto index = static_cast<std::size_t>(self - perceptions.agents.begin());
   perceive(
-      perceptions, index, index + 1, [this](AgentId id) { return placeOf(id); }, workspace);
+      perceptions, index, index + 1, [this](AgentId id) { return tables_.placeOf(id); }, workspace);
   findRows(workspace);
   const QTable& table = tableOf(agent);
   const Rows rows = rowsOf(workspace, 0);
@@ -288,10 +269,7 @@ std::optional<DecisionValues> Learner::valuesOf(const Perceptions& perceptions, 
 
 std::vector<AgentId> Learner::servedAgents() const {
   if (!options_.agents.empty()) return {options_.agents.begin(), options_.agents.end()};
-  std::vector<AgentId> known;
-  for (const auto& [agent, place] : places_) known.push_back(agent);
-  std::sort(known.begin(), known.end());
-  return known;
+  return tables_.agents();
 }
 
 void Learner::setMode(Mode mode) {
@@ -310,43 +288,6 @@ void Learner::setPlan(const LearningPlan& plan) {
   learning_rates_ = LearningRateSchedule(parameters);
   parameters_ = parameters;
   epsilon_ = plan.epsilon;
-}
-
-QTable Learner::tableToShare(AgentId agent) {
-  tables_.nameSource(placeOf(agent), newSource());
-  return tableOf(agent);
-}
-
-QTable Learner::tableToSave(AgentId agent) {
-  tables_.nameSource(placeOf(agent), tableOf(agent).contentId());
-  return tableOf(agent);
-}
-
-Learner::TakenByAll Learner::takeTable(QTable table, TakeMethod method) {
-  checkShape(table);
-  const TableStore::TakenByAll taken = tables_.take(std::move(table), method);
-  TakenByAll by_agent{taken.base, {}};
-  for (const auto& [agent, place] : places_) {
-    if (tables_.use() == TableUse::OWN) by_agent.by_agent[agent] = taken.by_user[place];
-  }
-  return by_agent;
-}
-
-Learner::Taken Learner::takeTable(AgentId agent, QTable table, TakeMethod method) {
-  checkShape(table);
-  const std::uint32_t place = tables_.use() == TableUse::OWN ? addAgent(agent) : TableStore::BASE;
-  return tables_.take(place, std::move(table), method);
-}
-
-void Learner::restart(QTable table) {
-  checkShape(table);
-  tables_.restart(std::move(table));
-}
-
-void Learner::restart(AgentId agent, QTable table) {
-  if (tables_.use() == TableUse::SHARED) return restart(std::move(table));
-  checkShape(table);
-  tables_.restart(addAgent(agent), std::move(table));
 }
 
 void Learner::forgetDecisions() {

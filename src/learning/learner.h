@@ -1,12 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
-#include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "avoidance/perception_batch.h"
@@ -14,11 +11,11 @@
 #include "common/text/enum_names.h"
 #include "common/thread_pool.h"
 #include "learning/agent_share.h"
+#include "learning/agent_tables.h"
 #include "learning/decision_values.h"
 #include "learning/model.h"
 #include "learning/rl/learning_parameters.h"
 #include "learning/rl/policy.h"
-#include "learning/rl/table_store.h"
 #include "learning/rl/td_learner.h"
 #include "world/agent_map.h"
 #include "world/perception.h"
@@ -50,7 +47,7 @@ struct DecisionWorkspace {
 /// @brief Decides for one or more agents and learns: receives perceptions, returns relative actions. Headless runs and
 /// the ROS node use the same code.
 ///
-/// Combines a model, the tables of the agents (TableStore), the policy (policy.h) and one TdLearner per agent. A
+/// Combines a model, the tables of the agents (AgentTables), the policy (policy.h) and one TdLearner per agent. A
 /// decision is made in stages, each for a batch of agents: limit the perceptions to the model's vision; find the
 /// candidate moves and the rows; in training mode, learn from the outcome of the last decisions; choose; answer.
 ///
@@ -75,13 +72,6 @@ class Learner {
   Learner(Model model, Options options);
   /// @brief Begins with a table. @throws ShapeError if its shape differs from the model's; InputError as above
   Learner(Model model, Options options, QTable table);
-
-  // Copies would write to the same table.
-  Learner(const Learner&) = delete;
-  Learner& operator=(const Learner&) = delete;
-  Learner(Learner&&) = default;
-  Learner& operator=(Learner&&) = default;
-  ~Learner() = default;
 
   /// @brief In training mode, learns from the outcome of the last decisions. Then decides for every served agent that
   /// has not arrived, unless the episode is over (perceptions.last). `actions` is overwritten, and its capacity is
@@ -115,7 +105,6 @@ class Learner {
   Mode mode() const { return options_.mode; }
   /// @brief Changes the mode; a change discards the recorded decisions.
   void setMode(Mode mode);
-  TableUse tableUse() const { return tables_.use(); }
 
   /// @brief The present parameters; epsilon is that of the present episode.
   const LearningParameters& parameters() const { return parameters_; }
@@ -133,30 +122,11 @@ class Learner {
   /// @brief Sum of the rewards of the decisions of the present episode that were learned from.
   double episodeReward() const { return episode_reward_; }
 
+  /// @brief The tables of the agents, to share, save and replace them.
+  AgentTables& tables() { return tables_; }
+  const AgentTables& tables() const { return tables_; }
   /// @brief The table that an agent uses; for an unknown agent, the table that it would begin with.
-  const QTable& tableOf(AgentId agent) const { return tables_.table(placeOf(agent)); }
-  /// @brief The table that unknown agents begin with; with shared tables, that of all agents.
-  const QTable& baseTable() const { return tables_.table(TableStore::BASE); }
-  /// @brief Returns a copy of that table for other agents. Its experience is recognised when it is merged later.
-  QTable tableToShare(AgentId agent);
-  /// @brief Returns a copy of that table for a file. Its experience is recognised, too. The copy depends only on the
-  /// table, so that the same training gives the same file.
-  QTable tableToSave(AgentId agent);
-
-  using Taken = TableStore::Taken;
-  /// @brief Result of takeTable() for all agents.
-  struct TakenByAll {
-    Taken newcomers;                    ///< for unknown agents; with shared tables for all agents
-    std::map<AgentId, Taken> by_agent;  ///< for known agents, with own tables
-  };
-  /// @brief Gives a table to all present and future agents. @throws ShapeError; nothing has changed then
-  TakenByAll takeTable(QTable table, TakeMethod method);
-  /// @brief Gives a table to one agent; with shared tables, to all agents. @throws ShapeError; nothing has changed then
-  Taken takeTable(AgentId agent, QTable table, TakeMethod method);
-  /// @brief Replaces the tables of all agents, as if this learner had learned the whole table. @throws ShapeError
-  void restart(QTable table);
-  /// @brief Replaces the table of one agent in the same way; with shared tables, that of all agents. @throws ShapeError
-  void restart(AgentId agent, QTable table);
+  const QTable& tableOf(AgentId agent) const { return tables_.of(agent); }
 
   /// @brief Discards the recorded decisions and traces, so that nothing is learned across an interruption.
   void forgetDecisions();
@@ -176,16 +146,10 @@ class Learner {
     std::vector<Choice> choices;
   };
 
-  /// Returns the place of an agent; TableStore::BASE if it is unknown.
-  std::uint32_t placeOf(AgentId agent) const {
-    const auto found = places_.find(agent);
-    return found != places_.end() ? found->second : TableStore::BASE;
-  }
   /// Adds an agent unless it is known. Returns its place.
   std::uint32_t addAgent(AgentId agent);
   /// Forgets agents that have left, if many agents are known. An agent with a table of its own keeps it.
   void forgetDeparted(const Perceptions& perceptions);
-  void checkShape(const QTable& table) const;
   void beginEpisode(std::uint64_t episode);
 
   void limit(Perception& seen) const;
@@ -225,11 +189,9 @@ class Learner {
   bool began_ = false;
   std::uint64_t decisions_ = 0;
   double episode_reward_ = 0.0;
-  TableStore tables_;                                  // by place
-  std::unordered_map<AgentId, std::uint32_t> places_;  // 0, 1, 2 ... in the order of their first perception
-  std::vector<Memory> memories_;                       // by place
-  std::vector<std::uint32_t> free_places_;             // of agents that were forgotten
-  std::size_t most_known_ = FEW_AGENTS;                // with more, forgetDeparted() looks for agents that have left
+  AgentTables tables_;
+  std::vector<Memory> memories_;         // by place
+  std::size_t most_known_ = FEW_AGENTS;  // with more, forgetDeparted() looks for agents that have left
   DecisionWorkspace workspace_;
   std::vector<Part> parts_;
   std::vector<DecisionWorkspace> workspaces_;  // of the threads that decide in parts

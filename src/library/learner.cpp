@@ -40,7 +40,7 @@ void Learner::stopLearning() { state_->learner.setMode(Mode::DEMO); }
 QTable Learner::table() {
   crowd::Learner& learner = state_->learner;
   return QTable(std::make_shared<TrainedTable>(TrainedTable{learner.model(), learner.parameters(), learner.decisions(),
-                                                            learner.seed(), learner.tableToSave(0)}));
+                                                            learner.seed(), learner.tables().toSave(0)}));
 }
 
 crowd::Learner& Learner::learner() { return state_->learner; }

@@ -77,7 +77,7 @@ Training::Training(TrainingConfig config, unsigned threads, Communicator& commun
 Training::Training(TrainingConfig config, TrainedTable begin, unsigned threads, Communicator& communicator)
     : Training(std::move(config), threads, communicator) {
   requireFit(config_.model, begin.model, "the table to begin with");
-  for (Learner& learner : learners_) learner.takeTable(begin.table, TakeMethod::REPLACE);
+  for (Learner& learner : learners_) learner.tables().take(begin.table, TakeMethod::REPLACE);
   decisions_.front() = begin.decisions;
   decisions_before_ = begin.decisions;
 }
@@ -177,7 +177,7 @@ void Training::countVisitedRows() {
 
 TrainingState Training::state() const {
   std::map<AgentId, QTable> own;
-  const QTable& table = learner().baseTable();
+  const QTable& table = learner().tables().base();
   for (const AgentId agent : learner().servedAgents()) {
     if (&learner().tableOf(agent) != &table) own.emplace(agent, learner().tableOf(agent));
   }
@@ -198,8 +198,8 @@ void Training::restore(TrainingState state) {
     throwEpisodes(std::to_string(state.episode) + " episodes, because the last turn of learners side by side was cut",
                   plan.episodes);
   }
-  for (Learner& learner : learners_) learner.restart(state.table);
-  for (auto& [agent, table] : state.own) learners_.front().restart(agent, std::move(table));
+  for (Learner& learner : learners_) learner.tables().restart(state.table);
+  for (auto& [agent, table] : state.own) learners_.front().tables().restart(agent, std::move(table));
   headings_ = std::move(state.headings);
   decisions_ = std::move(state.decisions);
   decisions_before_ = state.decisions_before;
@@ -218,7 +218,7 @@ void Training::merge(QTable table) {
   } else {
     mergeOnRanks(communicator_, copies, learning_rates, thread_pool_, table);
   }
-  for (Learner& learner : learners_) learner.restart(table);
+  for (Learner& learner : learners_) learner.tables().restart(table);
   noteVisitedRows();
 }
 

@@ -48,7 +48,7 @@ void setLearningParameters(Nodes& nodes, fuzz::MessageStream& stream) {
 void takeQTable(Nodes& nodes, fuzz::MessageStream& stream) {
   const auto request = stream.take<social_crowd::TakeQTable::Request>();
   TrainedTable trained = parseQTable(request.q_table, "table", &nodes.learner.model());
-  nodes.learner.takeTable(std::move(trained.table), TAKE_METHODS.parse(request.method));
+  nodes.learner.tables().take(std::move(trained.table), TAKE_METHODS.parse(request.method));
 }
 
 void reconfigure(Nodes& nodes, fuzz::MessageStream& stream) {

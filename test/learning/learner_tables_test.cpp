@@ -42,7 +42,7 @@ std::uint32_t visitsOf(const Learner& learner, AgentId agent) { return learner.t
 
 TEST(SharedTable, LearnsFromAllAgents) {
   Learner learner(model(), options(Mode::TRAINING), tableWith(0.0, 0));
-  EXPECT_EQ(learner.tableUse(), TableUse::SHARED);
+  EXPECT_EQ(learner.tables().use(), TableUse::SHARED);
   walk(learner, {8.0, 2.0});
   for (const AgentId agent : {0U, 1U, 99U}) {
     EXPECT_EQ(valueOf(learner, agent), 3.0);  // half of 8, then half of the way from 4 to 2
@@ -52,7 +52,7 @@ TEST(SharedTable, LearnsFromAllAgents) {
 
 TEST(OwnTables, LearnOnlyFromTheirAgent) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 5));
-  EXPECT_EQ(learner.tableUse(), TableUse::OWN);
+  EXPECT_EQ(learner.tables().use(), TableUse::OWN);
   walk(learner, {8.0, 4.0});
   EXPECT_EQ(learner.tableOf(0), tableWith(5.0, 6));   // half of the way from 2 to 8
   EXPECT_EQ(learner.tableOf(1), tableWith(3.0, 6));   // to 4
@@ -74,7 +74,7 @@ TEST(TakeTable, ReplacesTheSharedTable) {
   Learner learner(model(), options(Mode::TRAINING));
   walk(learner, {8.0, 8.0});
   const QTable given = randomTable(1);
-  learner.takeTable(given, TakeMethod::REPLACE);
+  learner.tables().take(given, TakeMethod::REPLACE);
   for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), given);
   walk(learner, {0.0}, 1);  // continues in the new table, which belongs to the learner
   EXPECT_NE(learner.tableOf(0), given);
@@ -85,23 +85,23 @@ TEST(TakeTable, ReplacesTheSharedTable) {
 TEST(TakeTable, MergesIntoTheSharedTable) {
   Learner learner(model(), options(Mode::TRAINING), tableWith(2.0, 3));
   walk(learner, {});
-  learner.takeTable(tableWith(6.0, 1), TakeMethod::MERGE);
+  learner.tables().take(tableWith(6.0, 1), TakeMethod::MERGE);
   EXPECT_EQ(learner.tableOf(0), tableWith(3.0, 4));  // (3 * 2 + 1 * 6) / 4
 }
 
 TEST(TakeTable, ForOneAgentChangesASharedTableForAll) {
   Learner learner(model(), options(Mode::TRAINING), tableWith(2.0, 3));
   walk(learner, {2.0, 2.0});  // two visits more, at 2
-  learner.takeTable(1, tableWith(6.0, 5), TakeMethod::MERGE);
+  learner.tables().take(1, tableWith(6.0, 5), TakeMethod::MERGE);
   for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(4.0, 10));
-  learner.takeTable(1, tableWith(7.0, 1), TakeMethod::REPLACE);
+  learner.tables().take(1, tableWith(7.0, 1), TakeMethod::REPLACE);
   for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(7.0, 1));
 }
 
 TEST(TakeTable, ReplacesAllOwnTablesAndTheInitialTable) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
   walk(learner, {8.0, 4.0});
-  learner.takeTable(tableWith(2.0, 1), TakeMethod::REPLACE);
+  learner.tables().take(tableWith(2.0, 1), TakeMethod::REPLACE);
   for (const AgentId agent : {0U, 1U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(2.0, 1));
   walk(learner, {8.0, 4.0}, 1);  // and they diverge again
   EXPECT_EQ(learner.tableOf(0), tableWith(5.0, 2));
@@ -112,7 +112,7 @@ TEST(TakeTable, ReplacesAllOwnTablesAndTheInitialTable) {
 TEST(TakeTable, MergesIntoEachOwnTable) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
   walk(learner, {8.0, 4.0});  // values 4 and 2, one visit each
-  learner.takeTable(tableWith(8.0, 3), TakeMethod::MERGE);
+  learner.tables().take(tableWith(8.0, 3), TakeMethod::MERGE);
   EXPECT_EQ(learner.tableOf(0), tableWith(7.0, 4));   // (4 + 3 * 8) / 4
   EXPECT_EQ(learner.tableOf(1), tableWith(6.5, 4));   // (2 + 3 * 8) / 4
   EXPECT_EQ(learner.tableOf(99), tableWith(8.0, 3));  // new agents had no experience
@@ -121,8 +121,8 @@ TEST(TakeTable, MergesIntoEachOwnTable) {
 TEST(TakeTable, ForOneAgentKeepsOtherOwnTables) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 1));
   walk(learner, {2.0, 2.0});  // value 2 stays, two visits
-  learner.takeTable(0, tableWith(5.0, 1), TakeMethod::REPLACE);
-  learner.takeTable(7, tableWith(4.0, 3), TakeMethod::MERGE);  // unknown agent: merged with its initial table
+  learner.tables().take(0, tableWith(5.0, 1), TakeMethod::REPLACE);
+  learner.tables().take(7, tableWith(4.0, 3), TakeMethod::MERGE);  // unknown agent: merged with its initial table
   EXPECT_EQ(learner.tableOf(0), tableWith(5.0, 1));
   EXPECT_EQ(learner.tableOf(1), tableWith(2.0, 2));
   EXPECT_EQ(learner.tableOf(7), tableWith(3.5, 4));  // (2 + 3 * 4) / 4
@@ -135,12 +135,12 @@ TEST(TakeTable, ForOneAgentKeepsOtherOwnTables) {
 TEST(TakeTable, SharesTheTableOfOneAgentWithAll) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
   walk(learner, {8.0, 4.0, 2.0});  // values 4, 2, 1
-  learner.takeTable(learner.tableToShare(0), TakeMethod::MERGE);
+  learner.tables().take(learner.tables().toShare(0), TakeMethod::MERGE);
   EXPECT_EQ(learner.tableOf(0), tableWith(4.0, 1));  // which it knows already
   EXPECT_EQ(learner.tableOf(1), tableWith(3.0, 2));
   EXPECT_EQ(learner.tableOf(2), tableWith(2.5, 2));
   EXPECT_EQ(learner.tableOf(99), tableWith(4.0, 1));
-  learner.takeTable(learner.tableToShare(2), TakeMethod::REPLACE);
+  learner.tables().take(learner.tables().toShare(2), TakeMethod::REPLACE);
   for (const AgentId agent : {0U, 1U, 2U, 99U}) EXPECT_EQ(learner.tableOf(agent), tableWith(2.5, 2));
 }
 
@@ -148,14 +148,14 @@ TEST(TakeTable, ReturnsTheNumberOfNewVisits) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 5));
   walk(learner, {2.0, 2.0});
   walk(learner, {2.0}, 1);  // agent 0 has 7 visits, agent 1 has 6
-  const Learner::TakenByAll all = learner.takeTable(learner.tableToShare(0), TakeMethod::MERGE);
+  const AgentTables::TakenByAll all = learner.tables().take(learner.tables().toShare(0), TakeMethod::MERGE);
   EXPECT_EQ(all.newcomers.new_visits, 2U);
   EXPECT_EQ(all.newcomers.visits, 7U);
   EXPECT_EQ(all.by_agent.at(0).new_visits, 0U);
   EXPECT_EQ(all.by_agent.at(0).visits, 7U);
   EXPECT_EQ(all.by_agent.at(1).new_visits, 2U);
   EXPECT_EQ(all.by_agent.at(1).visits, 8U);
-  const Learner::Taken one = learner.takeTable(0, learner.tableToShare(1), TakeMethod::REPLACE);
+  const AgentTables::Taken one = learner.tables().take(0, learner.tables().toShare(1), TakeMethod::REPLACE);
   EXPECT_EQ(one.new_visits, 1U);
   EXPECT_EQ(one.visits, 8U);
 }
@@ -166,11 +166,11 @@ TEST(TakeTable, RepeatedMergesOfAReplacedTableChangeNothing) {
     Learner taker(model(), options(Mode::TRAINING, tables), tableWith(6.0, 4));
     walk(giver, {8.0});
     walk(taker, {4.0});
-    taker.takeTable(0, giver.tableToShare(0), TakeMethod::REPLACE);
+    taker.tables().take(0, giver.tables().toShare(0), TakeMethod::REPLACE);
     const QTable given = giver.tableOf(0);
     for (int i = 0; i < 3; ++i) {
-      EXPECT_EQ(taker.takeTable(0, giver.tableToShare(0), TakeMethod::MERGE).new_visits, 0U);
-      EXPECT_EQ(giver.takeTable(0, taker.tableToShare(0), TakeMethod::MERGE).new_visits, 0U);
+      EXPECT_EQ(taker.tables().take(0, giver.tables().toShare(0), TakeMethod::MERGE).new_visits, 0U);
+      EXPECT_EQ(giver.tables().take(0, taker.tables().toShare(0), TakeMethod::MERGE).new_visits, 0U);
     }
     EXPECT_EQ(taker.tableOf(0), given);
     EXPECT_EQ(giver.tableOf(0), given);
@@ -180,26 +180,26 @@ TEST(TakeTable, RepeatedMergesOfAReplacedTableChangeNothing) {
 TEST(TakeTable, MergesASavedStateOfTheSameTableOnce) {
   Learner learner(model(), options(Mode::TRAINING));
   walk(learner, {8.0});
-  const QTable saved = learner.tableToSave(0);
+  const QTable saved = learner.tables().toSave(0);
   walk(learner, {8.0}, 1);
   Learner other(model(), options(Mode::TRAINING), saved);
-  other.takeTable(learner.tableToShare(0), TakeMethod::MERGE);
+  other.tables().take(learner.tables().toShare(0), TakeMethod::MERGE);
   EXPECT_EQ(other.tableOf(0), learner.tableOf(0));
-  EXPECT_EQ(learner.takeTable(saved, TakeMethod::MERGE).newcomers.new_visits, 0U);
+  EXPECT_EQ(learner.tables().take(saved, TakeMethod::MERGE).newcomers.new_visits, 0U);
 }
 
 TEST(Restart, GivesATableToOneAgent) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN), tableWith(2.0, 5));
-  learner.restart(7, tableWith(3.0, 6));
+  learner.tables().restart(7, tableWith(3.0, 6));
   EXPECT_EQ(learner.servedAgents(), std::vector<AgentId>{7});
   EXPECT_EQ(learner.tableOf(7), tableWith(3.0, 6));
   EXPECT_EQ(learner.tableOf(0), tableWith(2.0, 5));
-  EXPECT_EQ(learner.baseTable(), tableWith(2.0, 5));
+  EXPECT_EQ(learner.tables().base(), tableWith(2.0, 5));
   EXPECT_FALSE(learner.tableOf(7).isNamed());
   Learner shared(model(), options(Mode::TRAINING), tableWith(2.0, 5));
-  shared.restart(7, tableWith(3.0, 6));
-  EXPECT_EQ(shared.baseTable(), tableWith(3.0, 6));
-  EXPECT_THROW(shared.restart(7, QTable(1, 1)), ShapeError);
+  shared.tables().restart(7, tableWith(3.0, 6));
+  EXPECT_EQ(shared.tables().base(), tableWith(3.0, 6));
+  EXPECT_THROW(shared.tables().restart(7, QTable(1, 1)), ShapeError);
 }
 
 TEST(TakeTable, RefusesAnotherShapeAndKeepsAllTables) {
@@ -210,9 +210,9 @@ TEST(TakeTable, RefusesAnotherShapeAndKeepsAllTables) {
     const QTable newcomers = learner.tableOf(99);
     for (const TakeMethod method : {TakeMethod::REPLACE, TakeMethod::MERGE}) {
       for (const QTable& wrong : {QTable(69, 7), QTable(68, 8), QTable(8, 69)}) {
-        const std::string message = errorOf<ShapeError>([&] { learner.takeTable(wrong, method); });
+        const std::string message = errorOf<ShapeError>([&] { learner.tables().take(wrong, method); });
         EXPECT_TRUE(contains(message, "69 rows and 8 actions")) << message;
-        EXPECT_THROW(learner.takeTable(1, wrong, method), ShapeError);
+        EXPECT_THROW(learner.tables().take(1, wrong, method), ShapeError);
       }
     }
     EXPECT_EQ(learner.tableOf(0), before);
@@ -224,7 +224,7 @@ TEST(TakeTable, RefusesAnotherShapeAndKeepsAllTables) {
 /// Ends the process, with status 0 if a table can be given to an agent of that id.
 [[noreturn]] void giveTableTo(AgentId agent) {
   Learner learner(model(), options(Mode::TRAINING, TableUse::OWN));
-  learner.takeTable(agent, tableWith(5.0, 1), TakeMethod::REPLACE);
+  learner.tables().take(agent, tableWith(5.0, 1), TakeMethod::REPLACE);
   std::exit(learner.tableOf(agent) == tableWith(5.0, 1) && learner.tableOf(0) == emptyTable() ? 0 : 1);
 }
 

@@ -46,9 +46,9 @@ class Crowd {
     const std::size_t from = random_.below(learners_.size());
     if (what < 4) return walk(from);
     const auto agent = random_.below(AGENTS);
-    if (what < 7) return give(learners_[from].tableToShare(agent), *known(from, agent));
+    if (what < 7) return give(learners_[from].tables().toShare(agent), *known(from, agent));
     if (what < 9 || files_.empty()) {
-      return files_.push_back({toText(trained(learners_[from].tableToSave(agent))), *known(from, agent)});
+      return files_.push_back({toText(trained(learners_[from].tables().toSave(agent))), *known(from, agent)});
     }
     const File& file = files_[random_.below(files_.size())];
     give(parseQTable(file.text, "file").table, file.known);
@@ -69,7 +69,7 @@ class Crowd {
 
   static TrainedTable trained(QTable table) { return {model(), {}, 0, 0, std::move(table)}; }
 
-  bool shares(std::size_t learner) const { return learners_[learner].tableUse() == TableUse::SHARED; }
+  bool shares(std::size_t learner) const { return learners_[learner].tables().use() == TableUse::SHARED; }
   Experiences* known(std::size_t learner, AgentId agent) {
     return &known_[learner * AGENTS + (shares(learner) ? 0 : agent)];
   }
@@ -112,18 +112,18 @@ class Crowd {
     const std::size_t to = random_.below(learners_.size());
     const TakeMethod method = random_.below(3) == 0 ? TakeMethod::REPLACE : TakeMethod::MERGE;
     if (random_.below(3) == 0) {
-      learners_[to].takeTable(table, method);
+      learners_[to].tables().take(table, method);
       for (AgentId agent = 0; agent < AGENTS; ++agent) teach(*known(to, agent), given, method);
     } else {
       const AgentId agent = random_.below(AGENTS);
       const QTable old = learners_[to].tableOf(agent);
-      const Learner::Taken taken = learners_[to].takeTable(agent, table, method);
+      const AgentTables::Taken taken = learners_[to].tables().take(agent, table, method);
       if (method == TakeMethod::MERGE) checkValues(old, *known(to, agent), table, given, learners_[to].tableOf(agent));
       const std::uint64_t news = teach(*known(to, agent), given, method);
       EXPECT_EQ(taken.new_visits, news);
       EXPECT_EQ(taken.visits, countOf(*known(to, agent)));
       const QTable before = learners_[to].tableOf(agent);
-      EXPECT_EQ(learners_[to].takeTable(agent, table, TakeMethod::MERGE).new_visits, 0U);
+      EXPECT_EQ(learners_[to].tables().take(agent, table, TakeMethod::MERGE).new_visits, 0U);
       EXPECT_EQ(learners_[to].tableOf(agent), before);
     }
   }

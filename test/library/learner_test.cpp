@@ -114,7 +114,7 @@ TEST(LibraryLearner, LearnsInAnEpisodeAsTheClassBehindIt) {
   crowd::Episode same(readScenarios(findScenario("circle6")).scene(9, 0), 0, learners::model().vision());
   CrowdDecider decider(expected);
   runEpisode(same, decider);
-  EXPECT_EQ(learner.table().trained().table, expected.baseTable());
+  EXPECT_EQ(learner.table().trained().table, expected.tables().base());
   EXPECT_EQ(learner.table().decisions(), 5U + expected.decisions());
   EXPECT_GT(expected.decisions(), 100U);
 }

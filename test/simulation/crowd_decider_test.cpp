@@ -181,8 +181,8 @@ TEST(CrowdDecider, UsesOwnTables) {
   Learner unasked = makeLearner(model, options);
   for (const AgentId agent : {3U, 4U, 100U}) {
     const QTable table = learners::randomTable(model, 1000 + agent);
-    asked.takeTable(agent, table, TakeMethod::REPLACE);
-    unasked.takeTable(agent, table, TakeMethod::REPLACE);
+    asked.tables().take(agent, table, TakeMethod::REPLACE);
+    unasked.tables().take(agent, table, TakeMethod::REPLACE);
   }
   compareDecisions(2, asked, unasked);
   // With a shared table, these three decide differently in at least one of some worlds.

@@ -51,7 +51,7 @@ void reportTable(const Learner& learner, AgentId agent, DiagnosticStatusWrapper&
   report.add("actions", table.actions());
   report.add("visits", table.allVisits());
   report.add("bytes", cells * (sizeof(double) + sizeof(std::uint32_t)));  // values and visits
-  report.add("tables", TABLE_USES.nameOf(learner.tableUse()));
+  report.add("tables", TABLE_USES.nameOf(learner.tables().use()));
   report.add("decisions learned from", learner.decisions());
   report.add("alpha", toText(parameters.alpha));
   report.add("gamma", toText(parameters.gamma));

@@ -181,7 +181,7 @@ social_crowd::LearnerStatus LearnerNode::status() const {
   status.tick = tick_;
   status.node = name_;
   status.mode = MODES.nameOf(learner_.mode());
-  status.tables = TABLE_USES.nameOf(learner_.tableUse());
+  status.tables = TABLE_USES.nameOf(learner_.tables().use());
   status.serves_all = learner_.servesAll() ? 1 : 0;
   status.agents = learner_.servedAgents();
   status.share = learner_.share().index;

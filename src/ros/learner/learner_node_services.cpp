@@ -27,11 +27,11 @@ std::string visitedRowsOf(const QTable& table) {
 
 void LearnerNode::saveAll(bool goes_on) {
   const auto save = [&](const std::string& file, AgentId agent) {
-    const TrainedTable table = trained(goes_on ? learner_.tableToSave(agent) : learner_.tableOf(agent));
+    const TrainedTable table = trained(goes_on ? learner_.tables().toSave(agent) : learner_.tableOf(agent));
     saveQTable(file, table);
     logInfo("saved " + visitedRowsOf(table.table) + " to " + file);
   };
-  if (learner_.tableUse() == TableUse::SHARED) return save(save_to_, firstAgent());
+  if (learner_.tables().use() == TableUse::SHARED) return save(save_to_, firstAgent());
   const std::filesystem::path path(save_to_);
   for (const AgentId agent : learner_.servedAgents()) {
     const std::string name = path.stem().string() + "_agent_" + std::to_string(agent) + path.extension().string();
@@ -48,7 +48,7 @@ void LearnerNode::requireServed(AgentId agent) const {
 
 AgentId LearnerNode::meant(AgentId agent) const {
   const std::vector<AgentId> served = learner_.servedAgents();
-  const bool one_table = learner_.tableUse() == TableUse::SHARED || served.size() == 1;
+  const bool one_table = learner_.tables().use() == TableUse::SHARED || served.size() == 1;
   if (agent == 0 && one_table) return firstAgent();
   requireServed(agent);
   return agent;
@@ -59,11 +59,11 @@ void LearnerNode::advertiseServices() {
     const std::string file = data_folder_.resolveToWrite(request.file, request.overwrite != 0);
     std::string whose = "the shared table";
     const auto table = loop_.ask<TrainedTable>([&] {
-      const bool shared = learner_.tableUse() == TableUse::SHARED;
+      const bool shared = learner_.tables().use() == TableUse::SHARED;
       const AgentId agent = shared ? firstAgent() : meant(request.agent);
       const bool for_one = !learner_.servesAll() && learner_.servedAgents().size() == 1;
       if (!shared || for_one) whose = "the table of agent " + std::to_string(agent);
-      return trained(learner_.tableToSave(agent));
+      return trained(learner_.tables().toSave(agent));
     });
     saveQTable(file, table);  // in the service thread: the learner continues
     response.message = "saved " + visitedRowsOf(table.table) + " of " + whose + " to " + file;

@@ -48,11 +48,11 @@ std::string whyNotTaken(AgentId agent, AgentId from, const Learners& others) {
 TakeReport LearnerNode::giveTo(const std::vector<AgentId>& agents, QTable table, TakeMethod method) {
   TakeReport report(method);
   table.beginSource();  // one source for all receiving agents
-  if (!agents.empty() && learner_.tableUse() == TableUse::OWN) {
-    for (const AgentId agent : agents) report.note(agent, learner_.takeTable(agent, table, method));
+  if (!agents.empty() && learner_.tables().use() == TableUse::OWN) {
+    for (const AgentId agent : agents) report.note(agent, learner_.tables().take(agent, table, method));
     return report;
   }
-  const Learner::TakenByAll taken = learner_.takeTable(std::move(table), method);
+  const AgentTables::TakenByAll taken = learner_.tables().take(std::move(table), method);
   const std::vector<AgentId> served = learner_.servedAgents();
   for (const AgentId agent : served) {
     const auto own = taken.by_agent.find(agent);
@@ -87,7 +87,7 @@ void LearnerNode::share(const social_crowd::ShareQTable::Request& request,
   Learners others;
   loop_.ask<void>([&] {
     from = meant(request.from_agent);
-    const TrainedTable table = trained(learner_.tableToShare(from));
+    const TrainedTable table = trained(learner_.tables().toShare(from));
     offer.q_table = toText(table);
     others = others_;
     shareWithin(request.to_agents, from, table.table, method, report);
@@ -122,7 +122,7 @@ void LearnerNode::shareWithin(const std::vector<AgentId>& agents, AgentId from, 
     if (is_meant && agent != from) mine.push_back(agent);
   }
   if (mine.empty()) return;
-  if (learner_.tableUse() == TableUse::SHARED) {
+  if (learner_.tables().use() == TableUse::SHARED) {
     return report.noteTaken(served, namedAgents(served) + " share it already");
   }
   const TakeReport taken = giveTo(mine, table, method);

@@ -6,7 +6,7 @@
 
 namespace crowd {
 
-void TakeReport::note(AgentId agent, const Learner::Taken& taken) {
+void TakeReport::note(AgentId agent, const AgentTables::Taken& taken) {
   by_outcome_[{taken.visits, taken.new_visits}].push_back(agent);
 }
 

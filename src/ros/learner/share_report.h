@@ -15,9 +15,9 @@ class TakeReport {
  public:
   explicit TakeReport(TakeMethod method) : method_(method) {}
 
-  void note(AgentId agent, const Learner::Taken& taken);
+  void note(AgentId agent, const AgentTables::Taken& taken);
   /// @brief Notes that the table was taken for agents that are not known yet.
-  void noteNewcomers(const Learner::Taken& taken) { by_outcome_[{taken.visits, taken.new_visits}]; }
+  void noteNewcomers(const AgentTables::Taken& taken) { by_outcome_[{taken.visits, taken.new_visits}]; }
 
   std::vector<AgentId> agents() const;
   /// @brief Returns a text such as "merged into the table of agents 2, 3 (12 visits, 9 of them new)".
