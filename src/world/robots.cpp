@@ -48,6 +48,7 @@ Robots::Robots(const Scene& scene) : tick_duration_(scene.tick_duration), contac
 }
 
 RobotId Robots::add(const RobotStart& start) {
+  ++changes_;
   Robot& robot = robots_.emplace_back();
   robot.start = start;
   robot.pose = {start.position, wrapAngle(start.heading)};
@@ -61,6 +62,7 @@ RobotId Robots::add(const RobotStart& start) {
 
 void Robots::remove(RobotId id) {
   require(id);
+  ++changes_;
   robots_.erase(robots_.begin() + id);
   commands_.erase(commands_.begin() + id);
   places_.erase(places_.begin() + id);
@@ -112,6 +114,7 @@ void Robots::setGoals(RobotId id, std::vector<Vector2> goals) {
   robot.goals = std::move(goals);
   robot.next_goal = 0;
   ++robot.goals_set;
+  ++changes_;
   robot.status = RobotStatus::DRIVING;
 }
 

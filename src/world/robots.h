@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ class Robots {
   std::size_t size() const { return robots_.size(); }
   bool empty() const { return robots_.empty(); }
   const Robot& operator[](RobotId id) const { return robots_[id]; }
+  /// @brief Number of times that a robot came, left or got other goals, or the same ones again.
+  std::uint64_t changes() const { return changes_; }
 
   /// @brief Sets what a robot is to do from the next tick on, until the next call; it follows within its limits.
   /// People know the command only after that tick, so that it may be given before or after they perceive.
@@ -108,6 +111,7 @@ class Robots {
   double tick_duration_;
   Contact contact_;
   std::vector<Robot> robots_;
+  std::uint64_t changes_ = 0;
   // By robot:
   std::vector<Twist> commands_;                      // what it is to do next
   std::vector<std::optional<Place>> places_;         // where an EXTERNAL one is to be next

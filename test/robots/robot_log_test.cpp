@@ -337,7 +337,7 @@ TEST(RobotLog, PeopleMayArriveInTheFirstTickOfAPart) {
   EXPECT_EQ(parts, episode.world().tick() + 1U);
 }
 
-/// A robot is replaced by a larger one of its name.
+/// A robot is replaced by a larger one of its name, and this by its like elsewhere.
 TEST(RobotLog, HasAHeaderForAnotherRobotOfTheSameName) {
   Scene made = with({robotTo({1.0, 0.0}, {0.0, 0.0})}, scene({}));
   made.robots[0].name = "tug";
@@ -347,18 +347,22 @@ TEST(RobotLog, HasAHeaderForAnotherRobotOfTheSameName) {
   record.append(0, episode, log);
   RobotStart larger = episode.world().robots()[0].start;
   larger.footprint.radius += 0.2;
-  episode.edit().removeRobot(0);
-  episode.edit().addRobot(larger);
-  episode.step({});
-  record.append(0, episode, log);
+  for (int i = 0; i < 2; ++i) {
+    episode.edit().removeRobot(0);
+    episode.edit().addRobot(larger);
+    episode.step({});
+    record.append(0, episode, log);
+    larger.position.y() += 1.0;
+  }
   std::vector<double> radii;
   const TemporaryFolder folder;
   readRobotLog(
       folder.write("log.jsonl", log),
       [&](const RobotLogHeader& header) { radii.push_back(header.robots.at(0).footprint.radius); },
       [](const RobotLogTick&) {});
-  ASSERT_EQ(radii.size(), 2U);
+  ASSERT_EQ(radii.size(), 3U);
   EXPECT_DOUBLE_EQ(radii[1], radii[0] + 0.2);
+  EXPECT_DOUBLE_EQ(radii[2], radii[1]);
 }
 
 }  // namespace

@@ -36,14 +36,11 @@ void leaveOutTheGone(RobotLogTick& tick) {
 
 void RobotLogRecord::append(std::uint64_t number, const Episode& episode, std::string& text) {
   const World& world = episode.world();
-  const bool has_header = hasHeaderFor(world.robots());
-  if (!has_header) {
-    headed_.clear();
-    for (const Robot& robot : world.robots()) headed_.push_back({robot.start, robot.goals_set});
-  }
   if (world.robots().empty()) return;
   scene_.observe(world);
+  const bool has_header = headed_ == world.robots().changes();
   if (!has_header) {
+    headed_ = world.robots().changes();
     written_.clear();
     layout_changes_ = world.layoutChanges();
     appendLogLine(headerOf(number, episode), text);
@@ -51,16 +48,6 @@ void RobotLogRecord::append(std::uint64_t number, const Episode& episode, std::s
   RobotLogTick tick = tickOf(episode);
   if (!has_header && world.tick() > 0) leaveOutTheGone(tick);
   appendLogLine(tick, text);
-}
-
-bool RobotLogRecord::hasHeaderFor(const Robots& robots) const {
-  return std::equal(
-      headed_.begin(), headed_.end(), robots.begin(), robots.end(), [](const Headed& headed, const Robot& robot) {
-        const RobotStart& start = headed.start;
-        return headed.goals_set == robot.goals_set && start.name == robot.start.name &&
-               start.goals == robot.start.goals && start.footprint.radius == robot.start.footprint.radius &&
-               start.footprint.corners == robot.start.footprint.corners;
-      });
 }
 
 RobotLogHeader RobotLogRecord::headerOf(std::uint64_t number, const Episode& episode) const {

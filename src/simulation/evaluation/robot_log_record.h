@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "robots/log/robot_log.h"
 #include "simulation/episode.h"
@@ -19,19 +18,12 @@ class RobotLogRecord {
   void append(std::uint64_t number, const Episode& episode, std::string& text);
 
  private:
-  bool hasHeaderFor(const Robots& robots) const;
   RobotLogHeader headerOf(std::uint64_t number, const Episode& episode) const;
   RobotLogTick tickOf(const Episode& episode);
   LoggedPerson personOf(const Episode& episode, const ObservedPerson& observed);
 
-  /// A robot as of the last header.
-  struct Headed {
-    RobotStart start;
-    std::uint64_t goals_set = 0;
-  };
-
   ObservedScene scene_;                      // scratch
-  std::vector<Headed> headed_;               // robots of the last header
+  std::uint64_t headed_ = 0;                 // Robots::changes() of the last header; 0: there was none
   std::uint64_t layout_changes_ = 0;         // of the world, when walls were last written
   std::map<AgentId, LoggedPerson> written_;  // what was last written of the radius, the group and `endless`
 };
