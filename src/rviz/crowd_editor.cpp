@@ -45,7 +45,7 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
       node_(loop_.adopt(node)),
       states_(boost::make_shared<social_crowd::AgentStates>()),
       robots_(boost::make_shared<social_crowd::RobotStates>()),
-      server_(names::EDITOR, "", HAS_THREAD) {
+      server_("crowd_editor", "", HAS_THREAD) {
   subscribers_ = {node_.subscribe<social_crowd::Scenario>(names::SCENARIO, SHORT_QUEUE,
                                                           [this](const auto& message) { takeScenario(*message); }),
                   node_.subscribe<social_crowd::AgentStates>(names::AGENTS, SHORT_QUEUE,
@@ -54,7 +54,7 @@ CrowdEditor::CrowdEditor(const ros::NodeHandle& node, const ros::NodeHandle& pri
                                                              [this](const auto& message) { robots_ = message; }),
                   node_.subscribe<std_msgs::Int32>(names::CHOSEN_AGENT, SHORT_QUEUE,
                                                    [this](const auto& message) { chosen_agent_ = message->data; }),
-                  node_.subscribe<geometry_msgs::PoseStamped>(names::CHOSEN_AGENT_GOAL, SHORT_QUEUE,
+                  node_.subscribe<geometry_msgs::PoseStamped>("chosen_agent/goal", SHORT_QUEUE,
                                                               [this](const auto& message) { takeGoal(*message); })};
   timer_ = node_.createWallTimer(ros::WallDuration(1.0 / parameters_.rate),
                                  [this](const ros::WallTimerEvent& /*event*/) { update(); });

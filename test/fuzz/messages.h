@@ -4,6 +4,7 @@
 #include <ros/serialization.h>
 
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 #include "fuzz/fuzz.h"
@@ -57,12 +58,12 @@ class MessageStream : public ros::serialization::Stream {
 
 /// @brief Calls a handler for one message after the other, as a node that logs errors and goes on.
 /// @param handlers read a message from the stream and change `nodes`; the byte before each message chooses one
-template <typename Nodes, std::size_t COUNT>
-void handleAll(void (*const (&handlers)[COUNT])(Nodes&, MessageStream&), Nodes& nodes, MessageStream& stream) {
+template <typename Handlers, typename Nodes>
+void handleAll(const Handlers& handlers, Nodes& nodes, MessageStream& stream) {
   ros::console::set_logger_level(ROSCONSOLE_DEFAULT_NAME, ros::console::levels::Fatal);
   while (stream.getLength() > 0) {
     try {
-      handlers[stream.nextByte() % COUNT](nodes, stream);
+      handlers[stream.nextByte() % std::size(handlers)](nodes, stream);
     } catch (const Error&) {
     } catch (const ros::serialization::StreamOverrunException&) {
       return;

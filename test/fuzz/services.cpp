@@ -6,6 +6,7 @@
 #include <social_crowd/TakeQTable.h>
 
 #include <functional>
+#include <vector>
 
 #include "fuzz/messages.h"
 #include "fuzz/small_world.h"
@@ -62,28 +63,12 @@ void reconfigure(Nodes& nodes, fuzz::MessageStream& stream) {
 
 void walk(Nodes& nodes, fuzz::MessageStream& /*stream*/) { fuzz::walk(nodes.episode); }
 
-constexpr Handler HANDLERS[] = {
-    walk,
-    change<social_crowd::SpawnAgent>,
-    change<social_crowd::RemoveAgent>,
-    change<social_crowd::SetGoal>,
-    change<social_crowd::SpawnObstacle>,
-    change<social_crowd::RemoveObstacle>,
-    change<social_crowd::MoveObstacle>,
-    change<social_crowd::Teleport>,
-    change<social_crowd::TeleportRobot>,
-    change<social_crowd::AddWall>,
-    change<social_crowd::RemoveWall>,
-    change<social_crowd::SetRoute>,
-    change<social_crowd::AddSource>,
-    change<social_crowd::Alarm>,
-    change<social_crowd::AddGate>,
-    change<social_crowd::SetGate>,
-    spawnRobot,
-    setLearningParameters,
-    takeQTable,
-    reconfigure,
-};
+std::vector<Handler> allHandlers() {
+  std::vector<Handler> handlers = {walk};
+  visitWorldServices([&](const char* /*name*/, auto service) { handlers.push_back(change<decltype(service)>); });
+  handlers.insert(handlers.end(), {spawnRobot, setLearningParameters, takeQTable, reconfigure});
+  return handlers;
+}
 
 }  // namespace
 
@@ -93,7 +78,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       [&] {
         fuzz::MessageStream stream(data, size);
         Nodes nodes;
-        fuzz::handleAll(HANDLERS, nodes, stream);
+        static const std::vector<Handler> handlers = allHandlers();
+        fuzz::handleAll(handlers, nodes, stream);
         fuzz::walk(nodes.episode);
       },
       fuzz::FLOOR_MEMORY);

@@ -10,11 +10,10 @@ import xmlrpc.client
 
 import rosgraph
 import rospy
+import rosservice
 import rostest
 from roslib.packages import find_node
-from social_crowd import srv
 from social_crowd.msg import LearnerStatus
-from std_srvs.srv import SetBool, Trigger
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, 'support'))
 from programs import (ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, OCCUPANCY_TABLE, PATIENCE,  # noqa: E402, F401
@@ -22,41 +21,6 @@ from programs import (ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, OCCUPANCY_TABL
                       read_bytes, read_text, recording_of, wait_for)
 
 TICK = 0.1  # [s], default of scenarios
-SERVICES = {
-    'pause': SetBool,
-    'step': srv.Step,
-    'step_robots': srv.StepRobots,
-    'reset': srv.Reset,
-    'load_scenario': srv.LoadScenario,
-    'list_scenarios': srv.ListScenarios,
-    'save_scenario': srv.SaveScenario,
-    'set_real_time_factor': srv.SetRealTimeFactor,
-    'spawn_agent': srv.SpawnAgent,
-    'remove_agent': srv.RemoveAgent,
-    'set_goal': srv.SetGoal,
-    'teleport': srv.Teleport,
-    'spawn_robot': srv.SpawnRobot,
-    'remove_robot': srv.RemoveRobot,
-    'teleport_robot': srv.TeleportRobot,
-    'set_route': srv.SetRoute,
-    'set_gate': srv.SetGate,
-    'add_gate': srv.AddGate,
-    'add_source': srv.AddSource,
-    'alarm': srv.Alarm,
-    'add_wall': srv.AddWall,
-    'remove_wall': srv.RemoveWall,
-    'spawn_obstacle': srv.SpawnObstacle,
-    'remove_obstacle': srv.RemoveObstacle,
-    'move_obstacle': srv.MoveObstacle,
-    'choose_agent': srv.ChooseAgent,
-    'save_q_table': srv.SaveQTable,
-    'load_q_table': srv.LoadQTable,
-    'share_q_table': srv.ShareQTable,
-    'take_q_table': srv.TakeQTable,
-    'reset_traces': Trigger,
-    'set_mode': srv.SetMode,
-    'set_learning_parameters': srv.SetLearningParameters,
-}
 
 skips = {}  # reasons, by test
 
@@ -202,7 +166,7 @@ class CrowdTestCase(unittest.TestCase, ProgramRunner):
         """Calls a service of a node, such as learner/set_mode, in a separate thread."""
         name = f'{self.namespace}/{service}'
         rospy.wait_for_service(name, PATIENCE)
-        return Task(lambda: rospy.ServiceProxy(name, SERVICES[service.split('/')[-1]])(**request))
+        return Task(lambda: rospy.ServiceProxy(name, rosservice.get_service_class_by_name(name))(**request))
 
     def call(self, service, seconds=PATIENCE, **request):
         """Calls a service of a node, such as learner/set_mode."""

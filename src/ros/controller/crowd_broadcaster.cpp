@@ -22,15 +22,15 @@ CrowdBroadcaster::CrowdBroadcaster(ros::NodeHandle node, const ControllerParamet
       // A new subscriber gets the agents also during a pause.
       agents_(node.advertise<social_crowd::AgentStates>(
           names::AGENTS, QUEUE, [this](const ros::SingleSubscriberPublisher& /*new*/) { agents_published_.reset(); })),
-      poses_(node.advertise<geometry_msgs::PoseArray>(names::AGENT_POSES, QUEUE)),
+      poses_(node.advertise<geometry_msgs::PoseArray>("agent_poses", QUEUE)),
       scenario_(node.advertise<social_crowd::Scenario>(names::SCENARIO, QUEUE, LATCHED)),
       walls_(node.advertise<social_crowd::Walls>(names::WALLS, QUEUE, LATCHED)),
-      results_(node.advertise<social_crowd::EpisodeResult>(names::EPISODE_RESULTS, QUEUE)) {
-  if (publish_clock_) clock_publisher_ = node.advertise<rosgraph_msgs::Clock>(names::CLOCK, QUEUE);
+      results_(node.advertise<social_crowd::EpisodeResult>("episode_results", QUEUE)) {
+  if (publish_clock_) clock_publisher_ = node.advertise<rosgraph_msgs::Clock>("/clock", QUEUE);
   if (parameters.publish_tf) {
     frames_broadcaster_.emplace();
     // Publishers of one topic in one process share their connections, so this one has the broadcaster's subscribers.
-    frames_subscribers_ = ros::NodeHandle().advertise<tf2_msgs::TFMessage>(names::TF, QUEUE);
+    frames_subscribers_ = ros::NodeHandle().advertise<tf2_msgs::TFMessage>("/tf", QUEUE);
   }
 }
 

@@ -59,9 +59,6 @@ class CrowdController final : private Decider {
   void advertiseServices();
   void advertiseRobotServices();
   void advertiseScenarioServices();
-  void advertiseWorldServices();
-  template <typename Service>
-  void serveWorld(const std::string& name);
   void addDiagnostics();
   void takeSample();
 

@@ -64,7 +64,7 @@ void CrowdController::advertiseRobotServices() {
       response.message = "robot " + request.robot + " removed at " + place();
     });
   });
-  services_.serve<social_crowd::StepRobots>(names::STEP_ROBOTS, [this](const auto& request, auto& response) {
+  services_.serve<social_crowd::StepRobots>("step_robots", [this](const auto& request, auto& response) {
     // Shared with the main loop, which may still write it when this call has ended because the node shuts down.
     const auto result = std::make_shared<social_crowd::StepRobots::Response>(response);
     waitFor(loop_.ask<std::future<void>>([&] { return beginRobotSteps(request, result); }), std::chrono::hours(24));

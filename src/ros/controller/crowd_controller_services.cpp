@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ros/controller/crowd_controller.h"
+#include "ros/controller/world_services.h"
 #include "ros/messages/names.h"
 
 namespace crowd {
@@ -89,7 +90,11 @@ void CrowdController::advertiseServices() {
   reconfigure_.serve(services_, loop_);
   advertiseScenarioServices();
   advertiseRobotServices();
-  advertiseWorldServices();
+  visitWorldServices([this](const char* name, auto service) {
+    services_.serve<decltype(service)>(name, [this](const auto& request, auto& response) {
+      loop_.ask<void>([&] { response.message = serve(*episode_, request, response) + place(); });
+    });
+  });
 }
 
 }  // namespace crowd

@@ -18,10 +18,12 @@
 
 #include <string>
 
+#include "ros/messages/names.h"
 #include "simulation/episode.h"
 
 /// Handlers of the services that change the world, between two ticks. They return what was done, up to the time.
-/// @throws InputError if the request is refused; nothing has changed then
+/// @throws InputError if the request is refused; nothing has changed then. A new one also belongs in
+/// visitWorldServices().
 namespace crowd {
 
 std::string serve(Episode& episode, const social_crowd::SpawnAgent::Request& request,
@@ -54,5 +56,25 @@ std::string serve(Episode& episode, const social_crowd::AddGate::Request& reques
                   social_crowd::AddGate::Response& response);
 std::string serve(Episode& episode, const social_crowd::SetGate::Request& request,
                   social_crowd::SetGate::Response& response);
+
+/// @brief Calls visit(name, service) for each of them.
+template <typename Visit>
+void visitWorldServices(const Visit& visit) {
+  visit(names::SPAWN_AGENT, social_crowd::SpawnAgent());
+  visit(names::REMOVE_AGENT, social_crowd::RemoveAgent());
+  visit(names::SET_GOAL, social_crowd::SetGoal());
+  visit(names::SPAWN_OBSTACLE, social_crowd::SpawnObstacle());
+  visit(names::REMOVE_OBSTACLE, social_crowd::RemoveObstacle());
+  visit(names::MOVE_OBSTACLE, social_crowd::MoveObstacle());
+  visit(names::TELEPORT, social_crowd::Teleport());
+  visit(names::TELEPORT_ROBOT, social_crowd::TeleportRobot());
+  visit(names::ADD_WALL, social_crowd::AddWall());
+  visit("remove_wall", social_crowd::RemoveWall());
+  visit("set_route", social_crowd::SetRoute());
+  visit(names::ADD_SOURCE, social_crowd::AddSource());
+  visit("alarm", social_crowd::Alarm());
+  visit(names::ADD_GATE, social_crowd::AddGate());
+  visit("set_gate", social_crowd::SetGate());
+}
 
 }  // namespace crowd

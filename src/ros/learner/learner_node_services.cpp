@@ -80,7 +80,7 @@ void LearnerNode::advertiseServices() {
       response.message = "loaded " + visitedRowsOf(table.table) + " from " + file + ": " + report.text();
     });
   });
-  services_.serve<std_srvs::Trigger>(names::RESET_TRACES, [this](const auto& /*request*/, auto& response) {
+  services_.serve<std_srvs::Trigger>("reset_traces", [this](const auto& /*request*/, auto& response) {
     loop_.ask<void>([&] { learner_.forgetDecisions(); });
     response.message = "reset the eligibility traces and the last decisions; the Q-table is unchanged";
   });

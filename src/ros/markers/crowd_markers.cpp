@@ -70,7 +70,7 @@ CrowdMarkers::CrowdMarkers(const ros::NodeHandle& node, const ros::NodeHandle& p
       chosen_(node_.advertise<std_msgs::Int32>(names::CHOSEN_AGENT, QUEUE, LATCHED)),
       services_(private_node, 1) {
   choose(parameters.options.agent);
-  publisher_ = node_.advertise<visualization_msgs::MarkerArray>(names::MARKERS, MARKERS_QUEUE);
+  publisher_ = node_.advertise<visualization_msgs::MarkerArray>("markers", MARKERS_QUEUE);
   agents_ = node_.subscribe<social_crowd::AgentStates>(names::AGENTS, QUEUE,
                                                        [this](const auto& message) { scene_.take(message); });
   publishFrame(Vector2::Zero());

@@ -2,47 +2,30 @@
 
 #include <string>
 
+/// Names that several files use; another one stands where it is advertised.
 namespace crowd::names {
 
 // Topics; relative, so that namespaces and remapping work.
 constexpr const char* PERCEPTIONS = "perceptions";  ///< Perceptions: crowd_controller -> learner
 constexpr const char* ACTIONS = "actions";          ///< RelativeActions: learner -> crowd_controller
 constexpr const char* AGENTS = "agents";            ///< AgentStates: crowd_controller -> visualisation
-constexpr const char* AGENT_POSES = "agent_poses";  ///< geometry_msgs/PoseArray: crowd_controller -> viewers, bridges
 constexpr const char* SCENARIO = "scenario";        ///< Scenario, latched: crowd_controller -> visualisation
 constexpr const char* WALLS = "walls";              ///< Walls, latched: crowd_controller -> visualisation
 constexpr const char* MAP = "map";                  ///< nav_msgs/OccupancyGrid, latched: crowd_controller -> RViz
-constexpr const char* EPISODE_RESULTS = "episode_results";  ///< EpisodeResult: crowd_controller -> any node
 constexpr const char* CONTROLLER_STATUS =
     "controller_status";                                    ///< ControllerStatus: crowd_controller -> user interfaces
 constexpr const char* LEARNER_STATUS = "learner_status";    ///< LearnerStatus, latched: learner -> all
-constexpr const char* MARKERS = "markers";                  ///< visualization_msgs/MarkerArray: crowd_markers -> RViz
 constexpr const char* CHOSEN_AGENT = "chosen_agent";        ///< std_msgs/Int32, latched: crowd_markers -> any node
 constexpr const char* DECISION_VALUES = "decision_values";  ///< DecisionValues: learner -> crowd_markers
-constexpr const char* CHOSEN_AGENT_GOAL = "chosen_agent/goal";  ///< geometry_msgs/PoseStamped: RViz -> crowd_editor
-constexpr const char* EDITOR = "crowd_editor";       ///< namespace of interactive markers: crowd_editor <-> RViz
-constexpr const char* CLOCK = "/clock";              ///< rosgraph_msgs/Clock; absolute, as ROS requires
-constexpr const char* DIAGNOSTICS = "/diagnostics";  ///< diagnostic_msgs/DiagnosticArray; absolute, as in its updater
-constexpr const char* TF = "/tf";                    ///< tf2_msgs/TFMessage; absolute, as in tf2_ros
-
-constexpr const char* ROBOTS = "robots";  ///< RobotStates: crowd_controller -> any node
+constexpr const char* ROBOTS = "robots";                    ///< RobotStates: crowd_controller -> any node
 
 // Topics of a robot, in its namespace.
 constexpr const char* CMD_VEL = "cmd_vel";        ///< geometry_msgs/Twist: any node -> crowd_controller
 constexpr const char* ODOMETRY = "odom";          ///< nav_msgs/Odometry
 constexpr const char* SCAN = "scan";              ///< sensor_msgs/LaserScan
-constexpr const char* SCAN_CLOUD = "scan_cloud";  ///< sensor_msgs/PointCloud2
-constexpr const char* POINTS = "points";          ///< sensor_msgs/PointCloud2, of robots with rings
 constexpr const char* GOAL = "goal";              ///< geometry_msgs/PoseStamped, latched: its present goal
-constexpr const char* NEW_GOAL = "new_goal";      ///< geometry_msgs/PoseStamped: any node -> crowd_controller
-constexpr const char* NEW_POSE = "new_pose";  ///< geometry_msgs/PoseWithCovarianceStamped: any node -> crowd_controller
-constexpr const char* PEOPLE_POSES = "people_poses";  ///< geometry_msgs/PoseArray
-constexpr const char* PEOPLE = "people";              ///< people_msgs/People, where people_msgs is installed
-constexpr const char* PEOPLE_MEASUREMENTS =
-    "people_tracker_measurements";                          ///< people_msgs/PositionMeasurementArray, the same
-constexpr const char* TRACKED_PERSONS = "tracked_persons";  ///< spencer_tracking_msgs/TrackedPersons, where installed
+constexpr const char* PEOPLE = "people";          ///< people_msgs/People, where people_msgs is installed
 constexpr const char* NAVIGATION = "navigation";  ///< std_msgs/String, latched: robot_crew -> crowd_controller
-constexpr const char* FOOTPRINT = "footprint";    ///< geometry_msgs/PolygonStamped
 
 /// @brief Returns the topic with the perceptions of one learner's agents: Perceptions, crowd_controller -> learner.
 /// @param perceptions full name of PERCEPTIONS @param learner full name of the node
@@ -53,7 +36,6 @@ inline std::string perceptionsOf(const std::string& perceptions, const std::stri
 // Services; private names below the node.
 constexpr const char* PAUSE = "pause";
 constexpr const char* STEP = "step";
-constexpr const char* STEP_ROBOTS = "step_robots";
 constexpr const char* RESET = "reset";
 constexpr const char* LOAD_SCENARIO = "load_scenario";
 constexpr const char* LIST_SCENARIOS = "list_scenarios";
@@ -62,17 +44,13 @@ constexpr const char* SET_REAL_TIME_FACTOR = "set_real_time_factor";
 constexpr const char* SPAWN_AGENT = "spawn_agent";
 constexpr const char* REMOVE_AGENT = "remove_agent";
 constexpr const char* SET_GOAL = "set_goal";
-constexpr const char* SET_ROUTE = "set_route";
-constexpr const char* SET_GATE = "set_gate";
 constexpr const char* ADD_SOURCE = "add_source";
 constexpr const char* ADD_GATE = "add_gate";
-constexpr const char* ALARM = "alarm";
 constexpr const char* TELEPORT = "teleport";
 constexpr const char* SPAWN_ROBOT = "spawn_robot";
 constexpr const char* REMOVE_ROBOT = "remove_robot";
 constexpr const char* TELEPORT_ROBOT = "teleport_robot";
 constexpr const char* ADD_WALL = "add_wall";
-constexpr const char* REMOVE_WALL = "remove_wall";
 constexpr const char* SPAWN_OBSTACLE = "spawn_obstacle";
 constexpr const char* REMOVE_OBSTACLE = "remove_obstacle";
 constexpr const char* MOVE_OBSTACLE = "move_obstacle";
@@ -81,14 +59,8 @@ constexpr const char* SAVE_Q_TABLE = "save_q_table";
 constexpr const char* LOAD_Q_TABLE = "load_q_table";
 constexpr const char* SHARE_Q_TABLE = "share_q_table";
 constexpr const char* TAKE_Q_TABLE = "take_q_table";
-constexpr const char* RESET_TRACES = "reset_traces";
 constexpr const char* SET_MODE = "set_mode";
 constexpr const char* SET_LEARNING_PARAMETERS = "set_learning_parameters";
-
-// Protocol of dynamic_reconfigure; private names below the node.
-constexpr const char* SET_PARAMETERS = "set_parameters";                  ///< service Reconfigure
-constexpr const char* PARAMETER_DESCRIPTIONS = "parameter_descriptions";  ///< ConfigDescription, latched
-constexpr const char* PARAMETER_UPDATES = "parameter_updates";            ///< Config
 
 // Frames.
 constexpr const char* MAP_FRAME = "map";

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "ros/messages/names.h"
-
 namespace crowd {
 
 DiagnosticsPublisher::DiagnosticsPublisher(ros::NodeHandle node, const ros::NodeHandle& private_node, double period,
@@ -11,7 +9,7 @@ DiagnosticsPublisher::DiagnosticsPublisher(ros::NodeHandle node, const ros::Node
     : sample_(std::move(sample)), updater_(node, private_node, private_node.getNamespace()) {
   updater_.setHardwareID("none");
   // Publishers of one topic in one process share their connections, so this one has the updater's subscribers.
-  watchers_ = node.advertise<diagnostic_msgs::DiagnosticArray>(names::DIAGNOSTICS, 1);
+  watchers_ = node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1);
   // Updater::update() measures its period with ROS time, which may run a thousand times faster than the wall clock.
   timer_ = node.createWallTimer(ros::WallDuration(period), [this](const ros::WallTimerEvent& /*event*/) { update(); });
 }

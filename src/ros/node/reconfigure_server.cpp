@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "common/text/quotes.h"
-#include "ros/messages/names.h"
 #include "ros/messages/publish_latched.h"
 #include "ros/messages/topic_defaults.h"
 
@@ -18,9 +17,10 @@ namespace {
 constexpr bool ONE_SHOT = true;  // of a timer
 constexpr bool STARTED = true;
 const ros::WallDuration UPDATE_PERIOD(0.1);
-constexpr std::size_t MAX_REQUEST = 10'000;  // [bytes]
-constexpr const char* GROUP = "Default";     // clients expect a group with the number 0
-constexpr double INSIDE = 1e-6;              // distance of a shown limit from an open one
+constexpr std::size_t MAX_REQUEST = 10'000;               // [bytes]
+constexpr const char* SET_PARAMETERS = "set_parameters";  // of the protocol of dynamic_reconfigure
+constexpr const char* GROUP = "Default";                  // clients expect a group with the number 0
+constexpr double INSIDE = 1e-6;                           // distance of a shown limit from an open one
 
 dynamic_reconfigure::Config toMessage(const std::vector<LiveDescription>& parameters, const LiveValues& values) {
   dynamic_reconfigure::Config message;
@@ -95,7 +95,7 @@ ReconfigureServer::ReconfigureServer(ros::NodeHandle private_node, std::vector<L
                                      const LiveValues& defaults, Functions functions)
     : parameters_(std::move(parameters)), functions_(std::move(functions)) {
   description_publisher_ =
-      private_node.advertise<dynamic_reconfigure::ConfigDescription>(names::PARAMETER_DESCRIPTIONS, 1, LATCHED);
+      private_node.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, LATCHED);
   publishLatched(description_publisher_, toDescription(parameters_, defaults));
   timer_ = private_node.createWallTimer(
       UPDATE_PERIOD, [this](const ros::WallTimerEvent& /*event*/) { publish(false); }, !ONE_SHOT, !STARTED);
@@ -108,14 +108,13 @@ ReconfigureServer::ReconfigureServer(ros::NodeHandle private_node, std::vector<L
     if (updates_publisher_.getNumSubscribers() == 0) timer_.stop();
   };
   updates_publisher_ = private_node.advertise<dynamic_reconfigure::Config>(
-      names::PARAMETER_UPDATES, SHORT_QUEUE, send_present_values, stop_without_subscribers);
+      "parameter_updates", SHORT_QUEUE, send_present_values, stop_without_subscribers);
 }
 
 void ReconfigureServer::serve(Services& services, MainLoop& loop) {
-  services.serveAs<dynamic_reconfigure::Reconfigure>(
-      names::SET_PARAMETERS, [this, &loop](auto& request, auto& response) {
-        response.config = loop.ask<dynamic_reconfigure::Config>([&] { return change(request.config); });
-      });
+  services.serveAs<dynamic_reconfigure::Reconfigure>(SET_PARAMETERS, [this, &loop](auto& request, auto& response) {
+    response.config = loop.ask<dynamic_reconfigure::Config>([&] { return change(request.config); });
+  });
 }
 
 dynamic_reconfigure::Config ReconfigureServer::change(const dynamic_reconfigure::Config& request) {
@@ -123,7 +122,7 @@ dynamic_reconfigure::Config ReconfigureServer::change(const dynamic_reconfigure:
     functions_.change(changesOf(request));
   } catch (const Error& error) {
     // The response has no room for a message.
-    ROS_WARN("%s: nothing has changed: %s", names::SET_PARAMETERS, shortened(error.what(), MAX_REQUEST).c_str());
+    ROS_WARN("%s: nothing has changed: %s", SET_PARAMETERS, shortened(error.what(), MAX_REQUEST).c_str());
   }
   publish(true);
   return toMessage(parameters_, functions_.present());

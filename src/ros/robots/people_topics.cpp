@@ -14,13 +14,10 @@
 
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
-#include "ros/messages/topic_defaults.h"
 #include "ros/robots/robot_messages.h"
 
 namespace crowd {
 namespace {
-
-bool isHeard(const ros::Publisher& publisher) { return publisher && publisher.getNumSubscribers() > 0; }
 
 geometry_msgs::PoseArray toPoses(const std::vector<PersonTrack>& tracks, const std_msgs::Header& header) {
   geometry_msgs::PoseArray message;
@@ -93,30 +90,17 @@ spencer_tracking_msgs::TrackedPersons toTracked(const std::vector<PersonTrack>& 
 
 }  // namespace
 
-PeopleTopics::PeopleTopics(ros::NodeHandle& own) {
-  poses_ = own.advertise<geometry_msgs::PoseArray>(names::PEOPLE_POSES, QUEUE);
+PeopleTopics peopleTopics(ros::NodeHandle& own) {
+  PeopleTopics topics;
+  topics.advertise(own, "people_poses", toPoses);
 #ifdef SOCIAL_CROWD_PEOPLE_MSGS
-  people_ = own.advertise<people_msgs::People>(names::PEOPLE, QUEUE);
-  measurements_ = own.advertise<people_msgs::PositionMeasurementArray>(names::PEOPLE_MEASUREMENTS, QUEUE);
+  topics.advertise(own, names::PEOPLE, toPeople);
+  topics.advertise(own, "people_tracker_measurements", toMeasurements);
 #endif
 #ifdef SOCIAL_CROWD_SPENCER_MSGS
-  tracked_ = own.advertise<spencer_tracking_msgs::TrackedPersons>(names::TRACKED_PERSONS, QUEUE);
+  topics.advertise(own, "tracked_persons", toTracked);
 #endif
-}
-
-bool PeopleTopics::haveSubscribers() const {
-  return isHeard(poses_) || isHeard(people_) || isHeard(measurements_) || isHeard(tracked_);
-}
-
-void PeopleTopics::publish(const std::vector<PersonTrack>& tracks, const std_msgs::Header& header) {
-  if (isHeard(poses_)) poses_.publish(toPoses(tracks, header));
-#ifdef SOCIAL_CROWD_PEOPLE_MSGS
-  if (isHeard(people_)) people_.publish(toPeople(tracks, header));
-  if (isHeard(measurements_)) measurements_.publish(toMeasurements(tracks, header));
-#endif
-#ifdef SOCIAL_CROWD_SPENCER_MSGS
-  if (isHeard(tracked_)) tracked_.publish(toTracked(tracks, header));
-#endif
+  return topics;
 }
 
 }  // namespace crowd

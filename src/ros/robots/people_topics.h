@@ -1,30 +1,19 @@
 #pragma once
 
-#include <ros/ros.h>
 #include <std_msgs/Header.h>
 
 #include <vector>
 
 #include "robots/person_tracker.h"
+#include "ros/messages/topic_group.h"
 
 namespace crowd {
 
-/// @brief Topics of the people whom a robot tracks. Those whose messages were not found when the package was built are
-/// not there.
-class PeopleTopics {
- public:
-  /// @param own namespace of the robot
-  explicit PeopleTopics(ros::NodeHandle& own);
+/// Topics of the people whom a robot tracks. The header is that of the messages, in `map`.
+using PeopleTopics = TopicGroup<const std::vector<PersonTrack>&, const std_msgs::Header&>;
 
-  bool haveSubscribers() const;
-  /// @param header of the messages, in `map`
-  void publish(const std::vector<PersonTrack>& tracks, const std_msgs::Header& header);
-
- private:
-  ros::Publisher poses_;
-  ros::Publisher people_;        // people_msgs/People
-  ros::Publisher measurements_;  // people_msgs/PositionMeasurementArray
-  ros::Publisher tracked_;       // spencer_tracking_msgs/TrackedPersons
-};
+/// @brief Advertises them, without those whose messages were not found when the package was built.
+/// @param own namespace of the robot
+PeopleTopics peopleTopics(ros::NodeHandle& own);
 
 }  // namespace crowd

@@ -1,5 +1,6 @@
 #include "ros/robots/robot_interface.h"
 
+#include <std_msgs/String.h>
 #include <tf2/utils.h>
 
 #include <algorithm>
@@ -66,14 +67,21 @@ void RobotInterface::advertise() {
 /// Handlers know the robot by its name: its id changes when one before it is removed.
 std::unique_ptr<RobotTopics> RobotInterface::topicsOf(const RobotStart& start, RobotId id) {
   const auto present = [this, name = start.name] { return episode_->world().robots().idOf(name); };
-  RobotTopics::Handlers handlers;
-  handlers.command = [this, present](const auto& command, const auto& node) {
-    commands_.take(present(), command, node);
-  };
-  handlers.goal = [this, present](const auto& goal) { takeGoal(present(), goal); };
-  handlers.pose = [this, present](const auto& pose) { takePose(present(), pose); };
-  handlers.navigation = [this, present](const auto& state) { noteNavigation(present(), state); };
-  return std::make_unique<RobotTopics>(node_, start, id, std::move(handlers));
+  auto topics = std::make_unique<RobotTopics>(node_, start, id);
+  if (start.drive != Drive::EXTERNAL) {
+    const auto take = [this, present](const auto& command, const std::string& node) {
+      commands_.take(present(), fromMessage(command), node);
+    };
+    topics->subscribe<geometry_msgs::Twist>(names::CMD_VEL, take, ros::TransportHints().tcpNoDelay());
+  }
+  topics->subscribe<geometry_msgs::PoseStamped>(
+      "new_goal", [this, present](const auto& goal, const auto& /*node*/) { takeGoal(present(), goal); });
+  topics->subscribe<geometry_msgs::PoseWithCovarianceStamped>(
+      "new_pose", [this, present](const auto& pose, const auto& /*node*/) { takePose(present(), pose); });
+  topics->subscribe<std_msgs::String>(names::NAVIGATION, [this, present](const auto& state, const auto& /*node*/) {
+    noteNavigation(present(), state.data);
+  });
+  return topics;
 }
 
 void RobotInterface::requireFreeHands() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <ros/ros.h>
 #include <social_crowd/RobotObservation.h>
 #include <social_crowd/RobotStates.h>

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <geometry_msgs/PoseStamped.h>
-#include <geometry_msgs/PoseWithCovarianceStamped.h>
-#include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robots/robot_senses.h"
+#include "ros/messages/topic_group.h"
 #include "ros/robots/people_topics.h"
 #include "ros/robots/robot_messages.h"
 #include "world/world.h"
@@ -21,17 +18,20 @@ namespace crowd {
 /// @brief Topics and frames of one robot, in its namespace.
 class RobotTopics {
  public:
-  /// What happens with messages.
-  struct Handlers {
-    std::function<void(const Twist& command, const std::string& node)> command;
-    std::function<void(const geometry_msgs::PoseStamped& goal)> goal;
-    std::function<void(const std::string& state)> navigation;
-    std::function<void(const geometry_msgs::PoseWithCovarianceStamped& pose)> pose;
-  };
-
   /// @param node whose callbacks the main loop serves
-  RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id, Handlers handlers);
+  RobotTopics(const ros::NodeHandle& node, const RobotStart& start, RobotId id);
+  RobotTopics(const RobotTopics&) = delete;
+  RobotTopics& operator=(const RobotTopics&) = delete;
 
+  /// @brief Calls handle(message, node) for each message, with the name of the node that published it.
+  template <typename Message, typename Handle>
+  void subscribe(const std::string& topic, Handle handle, const ros::TransportHints& hints = {}) {
+    using Event = ros::MessageEvent<const Message>;
+    const boost::function<void(const Event&)> take = [handle = std::move(handle)](const Event& event) {
+      handle(*event.getMessage(), event.getPublisherName());
+    };
+    subscribers_.push_back(own_.subscribe<Message>(topic, QUEUE, take, ros::VoidConstPtr(), hints));
+  }
   /// @brief The robot has another id now.
   void setId(RobotId id) { id_ = id; }
   /// @brief Publishes what subscribers see of the robot after a tick; its scan if it is due.
@@ -54,25 +54,33 @@ class RobotTopics {
                                      const ros::Time& now) const;
 
  private:
-  void publishScan(const World& world, RobotSenses& senses, const ros::Time& now);
-  void publishPeople(const World& world, RobotSenses& senses, const ros::Time& now);
-  std_msgs::Header header(const std::string& frame, const ros::Time& now) const;
+  /// What messages are made from.
+  struct Tick {
+    const World& world;
+    RobotSenses& senses;
+    ros::Time now;
+  };
 
+  void publishPeople(const Tick& tick);
+  std_msgs::Header header(const std::string& frame, const ros::Time& now) const;
+  /// The message with a header.
+  template <typename Message>
+  Message stamped(Message message, const std::string& frame, const ros::Time& now) const {
+    message.header = header(frame, now);
+    return message;
+  }
+
+  ros::NodeHandle own_;  // the robot's namespace
   RobotId id_;
   RobotStart start_;
   std::string prefix_;  // of frames
   std::optional<Vector2> goal_;
   ros::Publisher odometry_;
-  ros::Publisher scan_;
-  ros::Publisher cloud_;
-  ros::Publisher points_;  // of a robot with rings
-  std::optional<PeopleTopics> people_;
-  ros::Publisher footprint_;
+  TopicGroup<const Tick&> of_scans_;  // when a scan is due
+  PeopleTopics people_;
+  TopicGroup<const Tick&> of_ticks_;
   ros::Publisher goals_;
-  ros::Subscriber commands_;
-  ros::Subscriber new_goals_;
-  ros::Subscriber navigation_;
-  ros::Subscriber new_poses_;
+  std::vector<ros::Subscriber> subscribers_;
 };
 
 }  // namespace crowd
