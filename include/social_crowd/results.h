@@ -11,28 +11,28 @@ namespace crowd {
 
 /// @brief Results of one agent in an episode. A new field also belongs in one of the functions below.
 struct AgentResult {
-  bool arrived = false;
-  bool removed = false;             ///< was removed on its way; excluded from all metrics
+  bool arrived = false;             ///< reached its last goal in time
+  bool removed = false;             ///< removed before it arrived; excluded from all metrics
   bool touched = false;             ///< in contact in any tick before it arrived
-  bool collided = false;            ///< in collision in any tick before it arrived (thesis, 4.1), see World
+  bool collided = false;            ///< in collision (thesis, 4.1) in any tick before it arrived
   bool out_of_reach = false;        ///< on its way at the end, and no way leads to its goal
   bool endless = false;             ///< on a route that repeats: it never arrives, and has not failed
   std::uint64_t waypoints = 0;      ///< waypoints of routes that it has left behind
-  std::uint64_t blocked_moves = 0;  ///< moves that were cut short by an impact; solid worlds only
+  std::uint64_t blocked_moves = 0;  ///< moves that were cut short at a contact; 0 in a ghost world
   std::uint64_t appeared = 0;       ///< tick at which it was added to the world
   double start_x = 0.0;             ///< place where it was added [m], `map`
   double start_y = 0.0;
-  std::uint64_t ticks = 0;       ///< from then on until its arrival, or until the end
+  std::uint64_t ticks = 0;       ///< since it appeared, until its arrival, or until the end
   double heading = 0.0;          ///< at its arrival, or at the end [rad], `map`
-  double path_length = 0.0;      ///< [m]
+  double path_length = 0.0;      ///< walked [m]
   double straight_length = 0.0;  ///< from the start via all goals, minus the goal tolerance [m]
-  double path_ratio = 0.0;       ///< path_length / straight_length
-  double time_ratio = 0.0;       ///< time * maximum speed / straight_length
-  double turn_per_metre = 0.0;   ///< accumulated absolute change of direction of motion / path_length [rad/m]
-  double max_speed_ratio = 0.0;  ///< highest speed in a tick / maximum speed
+  double path_ratio = 0.0;       ///< path_length / (start-goal distance - goal tolerance)
+  double time_ratio = 0.0;       ///< time * maximum speed / (start-goal distance - goal tolerance)
+  double turn_per_metre = 0.0;   ///< summed change of the direction of motion per metre walked [rad/m]
+  double max_speed_ratio = 0.0;  ///< fastest tick / maximum speed
   double distance_gained = 0.0;  ///< decrease of the distance to the goal, summed over its goals [m]
-  double gain_per_tick = 0.0;    ///< distance gained per step (thesis): distance_gained / ticks [m]
-  double path_per_gain = 0.0;    ///< path_length / distance_gained; NaN if distance_gained is not positive
+  double gain_per_tick = 0.0;    ///< distance gained per step (thesis, 4.1): distance_gained / ticks [m]
+  double path_per_gain = 0.0;    ///< path per distance gained (thesis, 4.1); NaN if distance_gained is not positive
 
   /// @brief Calls visit(name, field...) for each field that records and AgentResult.msg have; with several objects,
   /// such as a result and its message, for the field of all.

@@ -18,21 +18,19 @@ struct MetricName {
 
 /// @brief Commands and poses that a robot got from elsewhere in an episode. Headless controllers count none of them.
 struct RobotInput {
-  /// Of the nodes that drive it: running, crashed (in this episode or before); none: nothing is known of them.
-  std::string navigation = "none";
-  std::uint64_t commands_taken = 0;    ///< commands that were executed
-  std::uint64_t commands_missed = 0;   ///< commands that did not come in time
-  std::uint64_t commands_late = 0;     ///< commands that came after the end of the wait for them; they are taken, too
-  std::uint64_t command_timeouts = 0;  ///< stops because no command came for RobotStart::cmd_timeout
+  std::string navigation = "none";     ///< of its nodes: running, crashed (in this episode or before); none: unknown
+  std::uint64_t commands_taken = 0;    ///< that it followed
+  std::uint64_t commands_missed = 0;   ///< awaited in vain (lockstep)
+  std::uint64_t commands_late = 0;     ///< that came after the deadline of their tick (lockstep)
+  std::uint64_t command_timeouts = 0;  ///< stops because no command arrived within cmd_timeout
   std::uint64_t commands_refused = 0;  ///< invalid commands and those of other publishers
-  std::uint64_t poses_taken = 0;       ///< poses that were used
+  std::uint64_t poses_taken = 0;       ///< of a robot that lives elsewhere
   std::uint64_t poses_refused = 0;     ///< invalid poses, those older than the last one, and those in unknown frames
-  std::uint64_t pose_jumps = 0;        ///< of the pose
-  std::uint64_t pose_gaps = 0;         ///< in the poses
-  std::uint64_t pose_stale = 0;        ///< periods without a pose
+  std::uint64_t pose_jumps = 0;        ///< too far from the last one for the maximum speed
+  std::uint64_t pose_gaps = 0;         ///< more than 0.5 s after the last one
+  std::uint64_t pose_stale = 0;        ///< times at which no pose came for more than 0.5 s
 
-  /// @brief Calls visit(name, field...) for each field, all of which RobotResult.msg has, too; with several objects,
-  /// for the field of all.
+  /// @brief Calls visit(name, field...) for each field; with several objects, for the field of all.
   template <typename Visit, typename... Inputs>
   static void visitFields(const Visit& visit, Inputs&... inputs) {
     visit(MetricName{"navigation"}, inputs.navigation...);
@@ -55,17 +53,16 @@ struct RobotInput {
 struct RobotGoalResult {
   static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
 
-  double x = 0.0;  ///< [m], `map`
-  double y = 0.0;
+  double x = 0.0;                      ///< place of the goal, in `map` [m]
+  double y = 0.0;                      ///< [m]
   bool success = false;                ///< it was reached
-  double time_to_reach_goal = NONE;    ///< [s]
-  double path_length = NONE;           ///< [m]; NaN for a goal that it did not set out for
-  double shortest_path_length = NONE;  ///< [m]
+  double time_to_reach_goal = NONE;    ///< since the robot got the goal [s]
+  double path_length = NONE;           ///< since then; NaN for a goal that it did not set out for [m]
+  double shortest_path_length = NONE;  ///< from where it was then, minus the goal tolerance [m]
   double path_length_ratio = NONE;     ///< path_length / shortest_path_length
   double spl = NONE;                   ///< success weighted by path length
 
-  /// @brief Calls visit(name, field...) for each field, all of which RobotGoalResult.msg has, too; with several
-  /// objects, for the field of all.
+  /// @brief Calls visit(name, field...) for each field; with several objects, for the field of all.
   template <typename Visit, typename... Results>
   static void visitFields(const Visit& visit, Results&... results) {
     visit(MetricName{"x", "m"}, results.x...);
@@ -84,16 +81,19 @@ struct RobotGoalResult {
 /// was measured for is NaN.
 ///
 /// The distance to a person is that from the person's centre to the robot's footprint; people are the agents on
-/// their way, those who stay, and recorded people. A new field also belongs in visitMeasures().
+/// their way, those who stay, and recorded people. 0.5 m, 10 s and 0.05 m/s are defaults of RobotMetricOptions.
+///
+/// scripts/write_metrics writes the lists that visit the fields, the message, and the units and new rows of
+/// docs/metrics.md, from the comments here.
 struct RobotResult {
   static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
 
   std::string name;
   bool success = false;                     ///< it arrived
   bool timeout = false;                     ///< it has a goal and did not arrive
-  bool stuck = false;                       ///< timeout, and it hardly moved at last, see RobotMetricOptions
-  std::uint64_t failures_to_progress = 0;   ///< times that it hardly came nearer to its goal, see RobotMetricOptions
-  double stalled_time = 0.0;                ///< slower than RobotMetricOptions::stalled_speed [s]
+  bool stuck = false;                       ///< timeout, and it moved by less than 0.5 m in the last 10 s
+  std::uint64_t failures_to_progress = 0;   ///< times that it did not come 0.5 m nearer to its goal in 10 s
+  double stalled_time = 0.0;                ///< slower than 0.05 m/s [s]
   double time_to_reach_goal = NONE;         ///< [s]
   double path_length = 0.0;                 ///< [m]
   double shortest_path_length = NONE;       ///< of the searched way via all goals, minus the goal tolerance [m]
@@ -119,21 +119,21 @@ struct RobotResult {
   double time_not_moving = 0.0;             ///< below 0.001 m/s and 0.01 rad/s [s]
   std::uint64_t contacts = 0;               ///< with people, walls, obstacles and other robots
   std::uint64_t people_contacts = 0;        ///< sum of the next three
-  std::uint64_t robot_on_person_collisions = 0;
-  std::uint64_t person_on_robot_collisions = 0;
-  std::uint64_t mutual_collisions = 0;
-  double contact_time = 0.0;                 ///< with people [s]
-  std::uint64_t wall_contacts = 0;           ///< times that it came within 1 mm of walls
-  std::uint64_t obstacle_contacts = 0;       ///< times that it came within 1 mm of obstacles
-  std::uint64_t robot_contacts = 0;          ///< times that it came within 1 mm of other robots
-  double minimum_obstacle_clearance = NONE;  ///< to the nearest wall or obstacle [m]
-  double avg_obstacle_clearance = NONE;      ///< mean over time of the same [m]
-  double minimum_distance_to_people = NONE;  ///< [m]
-  double maximum_distance_to_people = NONE;  ///< [m]
+  std::uint64_t robot_on_person_collisions = 0;  ///< contacts: the robot moved into a person
+  std::uint64_t person_on_robot_collisions = 0;  ///< contacts: a person moved into the robot
+  std::uint64_t mutual_collisions = 0;           ///< contacts: both, or neither
+  double contact_time = 0.0;                     ///< with people [s]
+  std::uint64_t wall_contacts = 0;               ///< times that it came within 1 mm of walls
+  std::uint64_t obstacle_contacts = 0;           ///< times that it came within 1 mm of obstacles
+  std::uint64_t robot_contacts = 0;              ///< times that it came within 1 mm of other robots
+  double minimum_obstacle_clearance = NONE;      ///< to the nearest wall or obstacle [m]
+  double avg_obstacle_clearance = NONE;          ///< mean over time of the same [m]
+  double minimum_distance_to_people = NONE;      ///< from the footprint to the centre of a person [m]
+  double maximum_distance_to_people = NONE;      ///< the same of the farthest person [m]
   double avg_closest_person = NONE;  ///< mean of the distance to the nearest person minus that person's radius [m]
-  double minimum_clearance = NONE;   ///< minimum of the distance to a person minus that person's radius [m]
+  double minimum_clearance = NONE;   ///< least distance to a person minus that person's radius [m]
   double minimum_time_to_collision = NONE;        ///< with people, at constant velocities [s]
-  double responsibility = NONE;                   ///< share of the robot in resolving conflicts with people
+  double responsibility = NONE;                   ///< share of the robot in resolving conflicts with people, 0 to 1
   double space_compliance = NONE;                 ///< share of the time with all people beyond 0.5 m
   double intimate_space_time = 0.0;               ///< nearest person nearer than 0.45 m [s]
   double personal_space_time = 0.0;               ///< nearest person nearer than 1.2 m [s]

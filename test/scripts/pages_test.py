@@ -3,9 +3,11 @@ columns of CSV files are those of the pages."""
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 
 import pytest
+from crowd_metrics.program import main as write_metrics
 from programs import ANTICIPATION_TABLE, PACKAGE, in_package, page_examples, page_text, read_text
 
 LONGEST = 250  # [lines] of a page in docs/
@@ -136,18 +138,6 @@ def documented_columns(page, title):
     return [name for line in table.splitlines() for name in re.findall(r'`(\w+)`', line.split('|')[1])]
 
 
-def documented_units(page):
-    """Returns {name: unit} of all tables of a page with the columns 'field' and 'unit'."""
-    units = {}
-    for table in re.findall(r'^\| field \| unit \|.*\n\|[-| ]*\n((?:\|.*\n)+)', page, re.MULTILINE):
-        for line in table.splitlines():
-            cell, unit = line.split('|')[1:3]
-            names = re.findall(r'`(\w+)`', cell)
-            each = unit.split(',') if ',' in unit else [unit] * len(names)
-            units.update(zip(names, map(str.strip, each)))
-    return units
-
-
 class RegistrationTest:
     """A test that CMake does not know never runs."""
 
@@ -174,16 +164,34 @@ class ColumnsTest:
         runner.tool('evaluate', '--q-table', ANTICIPATION_TABLE, '--robots-csv', file, scenario)
         columns = columns_of(file)
         assert columns[:3] == ['episode', 'scenario', 'robot']
-        units = dict(line.split(',') for line in runner.tool('score_robots', '--fields').splitlines()[1:])
-        assert columns[3:] == list(units)
-        lines = re.findall(r'^\w+ (\w+) +# (.*)$', read_text(in_package('msg', 'RobotResult.msg')), re.MULTILINE)
-        delays = ('people_compared', 'people_delay', 'people_detour')  # need a second run
-        assert ['robot', *(name for name in columns[3:] if name not in delays)] == [name for name, _ in lines]
-        for name, meaning in lines[1:]:
-            unit = re.search(r'\[(\S+)\]$', meaning)
-            assert (unit[1] if unit else '') == units[name], f'{name}: {meaning}'
-        documented = documented_units(page_text('metrics.md'))
-        assert documented == units
+        fields = runner.tool('score_robots', '--fields').splitlines()[1:]
+        assert columns[3:] == [line.split(',')[0] for line in fields]
+
+    def test_what_fields_of_results_say(self):
+        """Lists, messages and docs/metrics.md are those of scripts/write_metrics."""
+        subprocess.run([in_package('scripts', 'write_metrics'), '--check'], check=True)
+
+    def test_another_field(self, tmp_path):
+        """A new field of a robot's result gets its place in all files; one that is no longer there leaves them."""
+        for folder in ('include', 'msg', 'docs'):
+            shutil.copytree(in_package(folder), tmp_path / folder)
+        header = tmp_path / 'include' / 'social_crowd' / 'robot_result.h'
+        text = header.read_text(encoding='utf-8')
+        new = '  double mean_noise = NONE;  ///< of the robot, above |\n         ///< silence [dB]\n'
+        text = re.sub(r'.*double max_jerk .*\n', '', text)
+        text = re.sub(r'(  double path_length = 0.0;.*\n)', rf'\1{new}', text)
+        header.write_text(text, encoding='utf-8')
+        write_metrics(['--package', str(tmp_path)])
+        visits = '    visit(MetricName{"path_length", "m"}, results.path_length...);\n'
+        assert visits + visits.replace('path_length', 'mean_noise').replace('"m"', '"dB"') in read_text(header)
+        message = read_text(tmp_path / 'msg' / 'RobotResult.msg').splitlines()
+        place = message.index('float64 path_length                     # [m]')
+        assert message[place + 1] == 'float64 mean_noise                      # of the robot, above | silence [dB]'
+        page = read_text(tmp_path / 'docs' / 'metrics.md')
+        assert '| `path_length` | m | F: PL; H; S: total path length | sum of the steps |\n' \
+            '| `mean_noise` | dB | | of the robot, above \\| silence |\n' in page
+        assert '| `min_jerk`, `avg_jerk` | m/s^3 |' in page
+        assert 'max_jerk' not in read_text(header) + page + '\n'.join(message)
 
     def test_goals_and_ticks_of_robots(self, runner):
         goals, series = runner.path('goals.csv'), runner.path('series')
