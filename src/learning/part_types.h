@@ -15,7 +15,7 @@ namespace crowd {
 template <typename Part, typename... Given>
 struct PartType {
   const char* name;     ///< value of the key `type`
-  const char* summary;  ///< one line for the documentation
+  const char* summary;  ///< one line for docs/state_sets.md, with the keys, unless the page describes them
   /// Creates the part from its YAML map. It must call map.allow() with all keys, `type` included, and throws
   /// InputError.
   std::shared_ptr<const Part> (*read)(YamlMap& map, const Given&... given);

@@ -5,7 +5,6 @@
 #include "command_line.h"
 #include "common/text/yaml_reader.h"
 #include "common/thread_pool.h"
-#include "learning/actions/kings_moves.h"
 #include "learning/model.h"
 #include "learning/states/row_meaning.h"
 #include "ranks/mpi_communicator.h"
@@ -35,7 +34,8 @@ std::string meaningOfRows(const std::string& text) {
   const std::vector<YAML::Node> documents = parseYamlStream(text, "state_set");
   if (documents.size() != 1) throw InputError("state_set: expected a map such as {type: occupancy}");
   // The names do not depend on the action set.
-  const auto states = makeStateSet(documents.front(), {"state_set", 0, ""}, KingsMoves());
+  const auto actions = makeActionSet(YAML::Load("{type: kings_moves}"), {"action_set", 0, ""});
+  const auto states = makeStateSet(documents.front(), {"state_set", 0, ""}, *actions);
   const auto* const rows = dynamic_cast<const ExplainedRows*>(states.get());
   if (rows == nullptr) throw InputError("state_set: its rows have no description");
   return rows->meaning().text();

@@ -6,8 +6,8 @@
 
 #include "avoidance/separation_rule.h"
 #include "geometry/impact.h"
-#include "learning/actions/goal_relative_actions.h"
 #include "support/moves.h"
+#include "support/parts.h"
 #include "support/scenes.h"
 #include "support/worlds.h"
 #include "world/world.h"
@@ -52,10 +52,10 @@ TEST(BrakingWorlds, StopsForAnAgentWhoseWayCrossesItsOwn) {
 TEST(BrakingWorlds, TurnsOnTheSpotBeforeItWalks) {
   World world(scenes::scene({{{0.0, 0.0}, 0.0, {9.0 * unitVector(toRadians(100.0))}, 1.3, 0.25}}));
   world.setMotion({2.0, 3.0, toRadians(90.0)});
-  const GoalRelativeActions actions;
+  const auto actions = actionsOf("{type: goal_relative}");
   for (int tick = 1; tick <= 12; ++tick) {
     const Perceptions seen = lookAround(world);
-    world.step({{0, relativeAction(actions, {seen, 0}, 0)}});
+    world.step({{0, relativeAction(*actions, {seen, 0}, 0)}});
     const Agent& agent = world.agents()[0];
     EXPECT_NEAR(toDegrees(agent.pose.heading), std::min(100.0, 9.0 * tick), 1e-6);
     EXPECT_NEAR(agent.velocity.norm(), tick < 12 ? 0.0 : 0.2, 1e-9) << "tick " << tick;
@@ -120,9 +120,7 @@ struct Walk {
 
 /// Half of the actions are straight to the goal, where the crowd is dense; the others are random.
 Worst walk(const Walk& how, std::uint64_t seed) {
-  GoalRelativeActions::Parameters parameters;
-  parameters.gap_sharing = how.sharing;
-  const GoalRelativeActions goal_relative(parameters);
+  const auto goal_relative = actionsOf("{type: goal_relative, gap_sharing: " + GAP_SHARINGS.nameOf(how.sharing) + "}");
   World world(denseScene(seed));
   world.setMotion(how.limits);
   Worst worst;
@@ -134,9 +132,9 @@ Worst walk(const Walk& how, std::uint64_t seed) {
       world.walkingAgent(id).setHeld(Hold::ROUTE,
                                      KeyedRandom(seed, KeyedRandom::TIES, {tick / 8, id}).uniform() < how.held);
       KeyedRandom random(seed, KeyedRandom::EXPLORATION, {tick, id});
-      const Action action = random.uniform() < 0.5 ? 0 : random.below(goal_relative.size());
+      const Action action = random.uniform() < 0.5 ? 0 : random.below(goal_relative->size());
       if (random.uniform() < how.missing) continue;
-      actions.push_back({id, relativeAction(goal_relative, {seen, i}, action)});
+      actions.push_back({id, relativeAction(*goal_relative, {seen, i}, action)});
     }
     const std::vector<Agent> before(world.agents().begin(), world.agents().end());
     world.step(actions);
@@ -216,11 +214,11 @@ TEST(BrakingWorlds, HasNoContactIfTheFastAgentIsHeld) {
     world.setMotion(LIMITS);
     teleportInFront(world, 1, 0, gap);
     world.walkingAgent(0).setHeld(Hold::ROUTE, true);
-    const GoalRelativeActions goal_relative;
+    const auto goal_relative = actionsOf("{type: goal_relative}");
     for (int tick = 0; tick < 30; ++tick) {
       const Perceptions seen = perceive(world);
       EXPECT_TRUE(seen.agents[0].held);
-      world.step({{0, relativeAction(goal_relative, {seen, 0}, 0)}});
+      world.step({{0, relativeAction(*goal_relative, {seen, 0}, 0)}});
       ASSERT_LE(deepestOverlap(world), TOUCH_TOLERANCE) << "gap " << gap << ", tick " << tick;
     }
     EXPECT_EQ(world.agents()[0].velocity, Vector2(0.0, 0.0));
@@ -229,7 +227,7 @@ TEST(BrakingWorlds, HasNoContactIfTheFastAgentIsHeld) {
 
 /// Somebody is placed in front of another in a dense crowd, again and again.
 TEST(BrakingWorlds, HasNoContactsInACrowdWhereSomeAppear) {
-  const GoalRelativeActions goal_relative;
+  const auto goal_relative = actionsOf("{type: goal_relative}");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     World world(denseScene(seed));
     world.setMotion(LIMITS);
@@ -248,7 +246,7 @@ TEST(BrakingWorlds, HasNoContactsInACrowdWhereSomeAppear) {
       const Perceptions seen = perceive(world);
       std::vector<AgentAction> actions;
       for (std::size_t i = 0; i < seen.agents.size(); ++i) {
-        actions.push_back({seen.agents[i].agent, relativeAction(goal_relative, {seen, i}, 0)});
+        actions.push_back({seen.agents[i].agent, relativeAction(*goal_relative, {seen, i}, 0)});
       }
       const double before = deepestOverlap(world);  // blockerAt() ignores small overlaps
       world.step(actions);

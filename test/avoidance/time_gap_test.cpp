@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "common/random.h"
-#include "learning/actions/goal_relative_actions.h"
+#include "common/text/numbers.h"
 #include "support/moves.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 
 namespace crowd::time_gap_test {
@@ -120,20 +121,18 @@ PerceptionsBuilder randomScene(std::uint64_t seed) {
   return scene;
 }
 
-GoalRelativeActions actionSet(double time_gap) {
-  GoalRelativeActions::Parameters parameters;
-  parameters.time_gap = time_gap;
-  return GoalRelativeActions(parameters);
+std::shared_ptr<const ActionSet> actionSet(double time_gap) {
+  return actionsOf("{type: goal_relative, time_gap: " + toText(time_gap) + "}");
 }
 
 TEST(TimeGap, NeverMakesAMoveFasterAndALongerOneNever) {
   std::size_t slower = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const PerceptionsBuilder scene = randomScene(seed);
-    const auto free = movesOf(actionSet(0.0), scene.perception());
-    const auto shorter = movesOf(actionSet(0.7), scene.perception());
-    const auto longer = movesOf(actionSet(1.4), scene.perception());
-    for (std::size_t i = 0; i < actionSet(0.0).size(); ++i) {
+    const auto free = movesOf(*actionSet(0.0), scene.perception());
+    const auto shorter = movesOf(*actionSet(0.7), scene.perception());
+    const auto longer = movesOf(*actionSet(1.4), scene.perception());
+    for (std::size_t i = 0; i < actionSet(0.0)->size(); ++i) {
       const CandidateMove move = moveAt(free.data(), i);
       EXPECT_LE(moveAt(shorter.data(), i).fraction, move.fraction) << "seed " << seed << ", move " << i;
       EXPECT_LE(moveAt(longer.data(), i).fraction, moveAt(shorter.data(), i).fraction) << "seed " << seed;
@@ -146,13 +145,10 @@ TEST(TimeGap, NeverMakesAMoveFasterAndALongerOneNever) {
 }
 
 TEST(TimeGap, IsThatOfTheMomentWhileLearning) {
-  GoalRelativeActions::Parameters parameters;
-  parameters.time_gap = 1.0;
-  parameters.anticipation_time = 1.0;
-  const GoalRelativeActions actions(parameters);
+  const auto actions = actionsOf("{type: goal_relative, time_gap: 1, anticipation_time: 1}");
   const PerceptionsBuilder scene = following(0.2, {0.7, 0.0});
-  EXPECT_NEAR(moveAt(movesOf(actions, scene.perception()).data(), 0).fraction, 0.9 / (REFERENCE + 1.0), 1e-9);
-  EXPECT_NEAR(moveAt(movesOf(*actions.whileLearning(), scene.perception()).data(), 0).fraction, 0.2 / REFERENCE, 1e-9);
+  EXPECT_NEAR(moveAt(movesOf(*actions, scene.perception()).data(), 0).fraction, 0.9 / (REFERENCE + 1.0), 1e-9);
+  EXPECT_NEAR(moveAt(movesOf(*actions->whileLearning(), scene.perception()).data(), 0).fraction, 0.2 / REFERENCE, 1e-9);
 }
 
 TEST(TimeGap, DoesNotHoldUpWhoEscapesFromAMovingObstacle) {
@@ -160,7 +156,7 @@ TEST(TimeGap, DoesNotHoldUpWhoEscapesFromAMovingObstacle) {
   const auto fraction = [](double time_gap, bool chased) {
     auto scene = facing(0.2);
     if (chased) scene.neighbour({-1.0, 0.0}, 0.25).kind(NeighbourKind::OBSTACLE).velocity({0.0, 0.0}, {1.0, 0.0});
-    return moveAt(movesOf(actionSet(time_gap), scene.perception()).data(), 0).fraction;
+    return moveAt(movesOf(*actionSet(time_gap), scene.perception()).data(), 0).fraction;
   };
   EXPECT_LT(fraction(1.0, false), fraction(0.0, false));
   EXPECT_EQ(fraction(1.0, true), fraction(0.0, true));

@@ -1,10 +1,8 @@
-#include "learning/states/condensed_occupancy_states.h"
-
 #include <gtest/gtest.h>
 
-#include "learning/actions/kings_moves.h"
-#include "learning/rewards/thesis_reward.h"
+#include "learning/states/sector_states.h"
 #include "support/error_of.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 #include "support/rows.h"
 
@@ -15,7 +13,12 @@ using Classes = std::vector<int>;
 
 Row rowOf(const StateSet& states, const PerceptionsBuilder& scene) { return rowsOf(states, scene.perception()).at(0); }
 
-Row rowOf(const PerceptionsBuilder& scene) { return rowOf(CondensedOccupancyStates(), scene); }
+const SectorStates& states() {
+  static const auto STATES = statesOf("{type: condensed_occupancy}");
+  return dynamic_cast<const SectorStates&>(*STATES);
+}
+
+Row rowOf(const PerceptionsBuilder& scene) { return rowOf(states(), scene); }
 
 /// An agent with a goal at a distance of 5 m and a bearing [degrees].
 PerceptionsBuilder goalAt(double degrees) { return PerceptionsBuilder().agent(0, polar(degrees, 5.0)); }
@@ -26,11 +29,20 @@ PerceptionsBuilder& addNeighbour(double degrees, double rim, PerceptionsBuilder&
   return scene.neighbour(polar(degrees, rim + 0.1), 0.1);
 }
 
+/// The row of a state of set 2: a body in each sector that has a class.
+Row rowOf(int goal_sector, const Classes& classes) {
+  PerceptionsBuilder scene = goalAt(45.0 * goal_sector);
+  for (std::size_t sector = 0; sector < classes.size(); ++sector) {
+    if (classes[sector] == 0) continue;
+    addNeighbour(45.0 * static_cast<double>(sector), classes[sector] == 1 ? 0.4 : 0.8, scene);
+  }
+  return rowOf(scene);
+}
+
 TEST(CondensedOccupancyStates, Has4097Rows) {
-  const CondensedOccupancyStates states;
-  EXPECT_EQ(states.rowCount(), 4097U);  // 8 * 2 * 2^8 + 1
-  EXPECT_EQ(states.terminal(), 4096U);
-  EXPECT_EQ(states.rowsPerPerception(), 1U);
+  EXPECT_EQ(states().rowCount(), 4097U);  // 8 * 2 * 2^8 + 1
+  EXPECT_EQ(states().terminal(), 4096U);
+  EXPECT_EQ(states().rowsPerPerception(), 1U);
 }
 
 TEST(CondensedOccupancyStates, EncodesTheSectorOfTheGoal) {
@@ -68,43 +80,40 @@ TEST(CondensedOccupancyStates, EncodesWhetherAnySectorIsNear) {
 }
 
 TEST(CondensedOccupancyStates, IsAFunctionOfStateSetTwo) {
-  const CondensedOccupancyStates states;
-  EXPECT_EQ(states.rowOf({0, {}}), 0U);
-  EXPECT_EQ(states.rowOf({3, {0, 0, 0, 2, 1, 1, 2, 0}}), 3U * 512U + 256U + 16U + 8U + 4U + 2U);  // figure 3.9
-  EXPECT_EQ(states.rowOf({3, {0, 0, 0, 2, 2, 2, 2, 0}}), 3U * 512U + 16U + 8U + 4U + 2U);
-  EXPECT_EQ(states.rowOf({7, {1, 1, 1, 1, 1, 1, 1, 1}}), 4095U);
+  EXPECT_EQ(rowOf(0, {}), 0U);
+  EXPECT_EQ(rowOf(3, {0, 0, 0, 2, 1, 1, 2, 0}), 3U * 512U + 256U + 16U + 8U + 4U + 2U);  // figure 3.9
+  EXPECT_EQ(rowOf(3, {0, 0, 0, 2, 2, 2, 2, 0}), 3U * 512U + 16U + 8U + 4U + 2U);
+  EXPECT_EQ(rowOf(7, {1, 1, 1, 1, 1, 1, 1, 1}), 4095U);
 }
 
 TEST(CondensedOccupancyStates, ReturnsDistanceClassesForRewards) {
-  const CondensedOccupancyStates states;
-  EXPECT_EQ(states.distanceClasses(0), Classes{});
-  EXPECT_EQ(states.distanceClasses(states.terminal()), Classes{});
-  EXPECT_EQ(states.distanceClasses(states.rowOf({5, {2, 0, 2}})), (Classes{2, 2}));
-  EXPECT_EQ(states.distanceClasses(states.rowOf({5, {2, 0, 1}})), (Classes{1, 2, 2}));
-  EXPECT_EQ(states.distanceClasses(4095), (Classes{1, 2, 2, 2, 2, 2, 2, 2, 2}));
-  ThesisReward::Parameters parameters;
-  parameters.obstacle_cost = 10.0;
-  const ThesisReward reward(parameters, states, states.rowCount());
-  EXPECT_DOUBLE_EQ(reward.obstaclePart(states.rowOf({5, {2, 0, 1}})), -10.2);  // 10 and twice 10 / 10^2
-  EXPECT_EQ(reward.obstaclePart(states.rowOf({5, {}})), 0.0);
+  EXPECT_EQ(states().distanceClasses(0), Classes{});
+  EXPECT_EQ(states().distanceClasses(states().terminal()), Classes{});
+  EXPECT_EQ(states().distanceClasses(rowOf(5, {2, 0, 2})), (Classes{2, 2}));
+  EXPECT_EQ(states().distanceClasses(rowOf(5, {2, 0, 1})), (Classes{1, 2, 2}));
+  EXPECT_EQ(states().distanceClasses(4095), (Classes{1, 2, 2, 2, 2, 2, 2, 2, 2}));
+  // The goal part is 0.
+  const auto reward = rewardOf("{goal: distance_gained, obstacle_cost: 10}", states());
+  const PerceptionsBuilder alone = goalAt(0.0);
+  const Perception seen = alone.perception();
+  EXPECT_DOUBLE_EQ((*reward)(seen.self, seen, rowOf(5, {2, 0, 1})), -10.2);  // 10 and twice 10 / 10^2
+  EXPECT_EQ((*reward)(seen.self, seen, rowOf(5, {})), 0.0);
 }
 
 TEST(CondensedOccupancyStates, MirrorsGoalAndSectors) {
-  const CondensedOccupancyStates states;
-  EXPECT_EQ(states.mirrored(states.terminal()), states.terminal());
-  EXPECT_EQ(states.mirrored(0), 0U);
-  EXPECT_EQ(states.mirrored(states.rowOf({1, {2, 2, 0, 0, 2, 0, 0, 0}})), states.rowOf({7, {2, 0, 0, 0, 2, 0, 0, 2}}));
-  EXPECT_EQ(states.mirrored(states.rowOf({4, {0, 0, 1, 2, 0, 0, 0, 0}})), states.rowOf({4, {0, 0, 0, 0, 0, 2, 1, 0}}));
-  for (Row row = 0; row < states.rowCount(); ++row) ASSERT_EQ(states.mirrored(states.mirrored(row)), row);
+  EXPECT_EQ(states().mirrored(states().terminal()), states().terminal());
+  EXPECT_EQ(states().mirrored(0), 0U);
+  EXPECT_EQ(states().mirrored(rowOf(1, {2, 2, 0, 0, 2, 0, 0, 0})), rowOf(7, {2, 0, 0, 0, 2, 0, 0, 2}));
+  EXPECT_EQ(states().mirrored(rowOf(4, {0, 0, 1, 2, 0, 0, 0, 0})), rowOf(4, {0, 0, 0, 0, 0, 2, 1, 0}));
+  for (Row row = 0; row < states().rowCount(); ++row) ASSERT_EQ(states().mirrored(states().mirrored(row)), row);
 }
 
 TEST(CondensedOccupancyStates, ReturnsOccupiedSectorsForPictures) {
-  const CondensedOccupancyStates states;
-  EXPECT_TRUE(states.occupiedSectors(goalAt(0.0).perception()).empty());
+  EXPECT_TRUE(states().occupiedSectors(goalAt(0.0).perception()).empty());
   PerceptionsBuilder scene = goalAt(0.0);
   addNeighbour(0.0, 0.6, scene);
   addNeighbour(90.0, 0.3, scene);
-  const auto occupied = states.occupiedSectors(scene.perception());
+  const auto occupied = states().occupiedSectors(scene.perception());
   ASSERT_EQ(occupied.size(), 2U);
   EXPECT_NEAR(occupied[0].from, toRadians(-22.5), 1e-9);
   EXPECT_NEAR(occupied[0].to, toRadians(22.5), 1e-9);
@@ -113,23 +122,19 @@ TEST(CondensedOccupancyStates, ReturnsOccupiedSectorsForPictures) {
   EXPECT_EQ(occupied[1].distance_class, 1);
 }
 
-std::shared_ptr<const StateSet> make(const std::string& yaml) {
-  return makeStateSet(YAML::Load(yaml), {"file.yaml", 0, "state_set"}, KingsMoves());
-}
-
 TEST(CondensedOccupancyStates, ReadBackTheirSpec) {
-  EXPECT_EQ(make("{type: condensed_occupancy}")->spec(),
+  EXPECT_EQ(statesOf("{type: condensed_occupancy}")->spec(),
             "{type: condensed_occupancy, sectors: 8, collision_radius: 0.5, vision_radius: 1}");
-  const auto four = make("{type: condensed_occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");
+  const auto four = statesOf("{type: condensed_occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");
   EXPECT_EQ(four->spec(), "{type: condensed_occupancy, sectors: 4, collision_radius: 0.25, vision_radius: 3}");
   EXPECT_EQ(four->rowCount(), 129U);  // 4 * 2 * 2^4 + 1
   EXPECT_EQ(dynamic_cast<const SectorPicture&>(*four).distanceLimits(), (std::vector<double>{0.25, 3.0}));
   EXPECT_EQ(four->visionRadius(), 3.0);
   // Goal behind, a body at the right whose rim is 2.9 m away: 2 * 32 + 1.
   EXPECT_EQ(rowOf(*four, PerceptionsBuilder().agent(0, {-1.0, 0.0}).neighbour({0.0, -3.0}, 0.1)), 65U);
-  const std::string message = errorOf<InputError>([] { make("{type: condensed_occupancy, sectors: 13}"); });
+  const std::string message = errorOf<InputError>([] { statesOf("{type: condensed_occupancy, sectors: 13}"); });
   EXPECT_TRUE(contains(message, "state_set.sectors: expected")) << message;
-  EXPECT_TRUE(contains(errorOf<InputError>([] { make("{type: condensed_occupancy, vision_radius: 0.5}"); }),
+  EXPECT_TRUE(contains(errorOf<InputError>([] { statesOf("{type: condensed_occupancy, vision_radius: 0.5}"); }),
                        "state_set.vision_radius: expected a radius of vision above the collision radius"));
 }
 

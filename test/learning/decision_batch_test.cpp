@@ -10,9 +10,8 @@
 
 #include "avoidance/separation_rule.h"
 #include "common/random.h"
-#include "learning/actions/goal_relative_actions.h"
-#include "learning/states/anticipation_states.h"
 #include "support/moves.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 
 namespace crowd::decision_batch_test {
@@ -63,19 +62,18 @@ bool areSame(const std::vector<MoveBlock>& a, const std::vector<MoveBlock>& b) {
 }
 
 /// Action sets whose moves fill less than one block, or more.
-GoalRelativeActions anyActionSet(GapSharing sharing, bool wide) {
-  GoalRelativeActions::Parameters parameters;
-  parameters.gap_sharing = sharing;
-  if (wide) parameters.slow_headings = {0, 20, 35, 55, 90, 120, 180};
-  GoalRelativeActions goal_relative(parameters);
-  EXPECT_EQ(blocksOf(goal_relative.size()), wide ? 2U : 1U);
-  return goal_relative;
+std::shared_ptr<const ActionSet> anyActionSet(GapSharing sharing, bool wide) {
+  auto actions = actionsOf("{type: goal_relative, gap_sharing: " + GAP_SHARINGS.nameOf(sharing) +
+                           (wide ? ", slow_headings: [0, 20, 35, 55, 90, 120, 180]}" : "}"));
+  EXPECT_EQ(blocksOf(actions->size()), wide ? 2U : 1U);
+  return actions;
 }
 
 TEST(DecisionBatch, MovesAndRowsDoNotDependOnTheBatch) {
   for (const GapSharing sharing : ALL_SHARINGS) {
-    const GoalRelativeActions actions = anyActionSet(sharing, sharing == GapSharing::HALF);
-    const AnticipationStates states(AnticipationStates::Parameters(), actions.size());
+    const auto any = anyActionSet(sharing, sharing == GapSharing::HALF);
+    const ActionSet& actions = *any;
+    const auto states = statesOf("{type: anticipation}", actions);
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
       KeyedRandom random(seed, KeyedRandom::PLACEMENT, {});
       const PerceptionsBuilder group = anyGroup(random);
@@ -84,12 +82,12 @@ TEST(DecisionBatch, MovesAndRowsDoNotDependOnTheBatch) {
       std::vector<MoveBlock> moves(seen.size() * blocks);
       std::vector<Row> rows(seen.size() * actions.size());
       actions.findMoves({seen.data(), seen.size()}, moves.data());
-      states.findRows({seen.data(), seen.size()}, moves.data(), rows.data());
+      states->findRows({seen.data(), seen.size()}, moves.data(), rows.data());
       std::vector<MoveBlock> moves_alone(moves.size());
       std::vector<Row> rows_alone(rows.size());
       for (std::size_t k = 0; k < seen.size(); ++k) {
         actions.findMoves({&seen[k], 1}, &moves_alone[k * blocks]);
-        states.findRows({&seen[k], 1}, &moves_alone[k * blocks], &rows_alone[k * actions.size()]);
+        states->findRows({&seen[k], 1}, &moves_alone[k * blocks], &rows_alone[k * actions.size()]);
       }
       ASSERT_TRUE(areSame(moves, moves_alone)) << GAP_SHARINGS.nameOf(sharing) << ", seed " << seed;
       ASSERT_EQ(rows, rows_alone) << GAP_SHARINGS.nameOf(sharing) << ", seed " << seed;
@@ -98,9 +96,10 @@ TEST(DecisionBatch, MovesAndRowsDoNotDependOnTheBatch) {
 }
 
 TEST(DecisionBatch, SeparationLimitsDoNotDependOnTheBatch) {
+  const auto actions = actionsOf("{type: goal_relative}");
   const std::vector<MoveBlock> goal_relative =
-      movesOf(GoalRelativeActions(), PerceptionsBuilder().agent(0, {5.0, 0.0}).perception());
-  const std::size_t count = GoalRelativeActions().size();
+      movesOf(*actions, PerceptionsBuilder().agent(0, {5.0, 0.0}).perception());
+  const std::size_t count = actions->size();
   for (const GapSharing sharing : ALL_SHARINGS) {
     const SeparationRule rule(sharing, LOOKOUT);
     std::size_t cut_short = 0;

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "common/text/numbers.h"
 #include "geometry/geometry.h"
-#include "learning/actions/goal_relative_actions.h"
 #include "support/error_of.h"
 #include "support/learners.h"
 #include "support/moves.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 
 namespace crowd::gait_test {
@@ -81,19 +82,15 @@ TEST(Gait, IsRead) {
   EXPECT_TRUE(contains(errorOf<InputError>([] { textOf("{sigh: 1}"); }), "sigh"));
 }
 
-TEST(Gait, ActsOnAgentsWithMotionLimitsOnly) {
-  GoalRelativeActions::Parameters parameters;
-  parameters.gait = {5.0, 15.0, 0.08};
-  const GoalRelativeActions with(parameters);
-  const auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0});
-  EXPECT_EQ(relativeAction(with, scene.perception(), 0).rotation, 0.0);
-  EXPECT_EQ(relativeAction(with, scene.perception(), 0).speed_fraction, 1.0);
+std::shared_ptr<const ActionSet> walkingAsPeopleDo() {
+  return actionsOf("{type: goal_relative, gait: {sway: 5, wander: 15, pace: 0.08}}");
 }
 
-GoalRelativeActions walkingAsPeopleDo() {
-  GoalRelativeActions::Parameters parameters;
-  parameters.gait = {5.0, 15.0, 0.08};
-  return GoalRelativeActions(parameters);
+TEST(Gait, ActsOnAgentsWithMotionLimitsOnly) {
+  const auto with = walkingAsPeopleDo();
+  const auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0});
+  EXPECT_EQ(relativeAction(*with, scene.perception(), 0).rotation, 0.0);
+  EXPECT_EQ(relativeAction(*with, scene.perception(), 0).speed_fraction, 1.0);
 }
 
 /// The action straight ahead of an agent of radius 0.25 m that walks at full speed.
@@ -101,18 +98,18 @@ RelativeAction ahead(AgentId agent, bool beside_wall) {
   auto scene =
       PerceptionsBuilder().agent(agent, {5.0, 0.0}).speed(1.3).walking({1.3, 0.0}).motion({3.0, 3.0, INFINITE});
   if (beside_wall) scene.wall({-5.0, 0.251}, {5.0, 0.251}).wall({-5.0, -0.251}, {5.0, -0.251});
-  return relativeAction(walkingAsPeopleDo(), scene.perception(), 0);
+  return relativeAction(*walkingAsPeopleDo(), scene.perception(), 0);
 }
 
 TEST(Gait, IsNotThatOfAgentsWhoLearn) {
   const auto scene =
       PerceptionsBuilder().agent(0, {5.0, 0.0}).speed(1.3).walking({1.3, 0.0}).motion({3.0, 3.0, INFINITE});
-  const GoalRelativeActions actions = walkingAsPeopleDo();
+  const auto actions = walkingAsPeopleDo();
   const Perception seen = scene.perception();
-  const RelativeAction learning = relativeAction(*actions.whileLearning(), seen, 0);
+  const RelativeAction learning = relativeAction(*actions->whileLearning(), seen, 0);
   EXPECT_EQ(learning.rotation, 0.0);
   EXPECT_EQ(learning.speed_fraction, 1.0);
-  EXPECT_NE(relativeAction(actions, seen, 0).rotation, 0.0);
+  EXPECT_NE(relativeAction(*actions, seen, 0).rotation, 0.0);
 }
 
 /// The answer to an agent that walks straight to its goal, by a table without values.
@@ -152,14 +149,12 @@ TEST(Gait, ShiftsAtItsRateInAllDirections) {
 
 /// Number of ticks, of 1000, in which an agent at rest does not answer as the chosen move says.
 int shiftsOf(double shift, bool is_blocked) {
-  GoalRelativeActions::Parameters parameters;
-  parameters.gait.shift = shift;
-  const GoalRelativeActions actions(parameters);
+  const auto actions = actionsOf("{type: goal_relative, gait: {shift: " + toText(shift) + "}}");
   int shifts = 0;
   for (std::uint64_t tick = 0; tick < 1000; ++tick) {
     auto scene = PerceptionsBuilder(0, tick).agent(0, {5.0, 0.0}).speed(1.3).motion({3.0, 3.0, INFINITE});
     if (is_blocked) scene.wall({0.251, -5.0}, {0.251, 5.0});
-    const RelativeAction action = relativeAction(actions, scene.perception(), 0);
+    const RelativeAction action = relativeAction(*actions, scene.perception(), 0);
     if (action.rotation != 0.0) ++shifts;
   }
   return shifts;

@@ -1,26 +1,29 @@
-#include "learning/actions/goal_relative_actions.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "support/error_of.h"
 #include "support/moves.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 
 namespace crowd::goal_relative_actions_test {
 namespace {
 
-GoalRelativeActions smallActionSet() {
-  GoalRelativeActions::Parameters parameters;
-  parameters.headings = {0, 30, 180};
-  parameters.slow_headings = {0};
-  parameters.slow_fraction = 0.5;
-  return GoalRelativeActions(parameters);
+/// The set with its defaults.
+const ActionSet& defaults() {
+  static const auto ACTIONS = actionsOf("{type: goal_relative}");
+  return *ACTIONS;
+}
+
+const ActionSet& smallActionSet() {
+  static const auto ACTIONS =
+      actionsOf("{type: goal_relative, headings: [0, 30, 180], slow_headings: [0], slow_fraction: 0.5}");
+  return *ACTIONS;
 }
 
 TEST(GoalRelativeActions, MeasuresHeadingsFromTheBearingOfTheGoal) {
-  const GoalRelativeActions goal_relative = smallActionSet();
+  const ActionSet& goal_relative = smallActionSet();
   const auto scene = PerceptionsBuilder().agent(0, polar(40.0, 5.0));
   ASSERT_EQ(goal_relative.size(), 6U);
   const double expected[] = {40.0, 70.0, 10.0, -140.0, 40.0};
@@ -42,7 +45,7 @@ TEST(GoalRelativeActions, KeepsTheHeadingAtTheGoal) {
 }
 
 TEST(GoalRelativeActions, RelativeActionsEqualTheAdmissibleMoves) {
-  const GoalRelativeActions goal_relative;
+  const ActionSet& goal_relative = defaults();
   const auto scene =
       PerceptionsBuilder().agent(0, polar(25.0, 5.0)).neighbour({0.51, 0.02}, 0.25).wall({-1, 0.26}, {1, 0.26});
   const std::vector<MoveBlock> moves = movesOf(goal_relative, scene.perception());
@@ -57,9 +60,7 @@ TEST(GoalRelativeActions, RelativeActionsEqualTheAdmissibleMoves) {
   EXPECT_TRUE(cut);
 }
 
-std::string specOf(const std::string& yaml) {
-  return makeActionSet(YAML::Load(yaml), {"file.yaml", 0, "action_set"})->spec();
-}
+std::string specOf(const std::string& yaml) { return actionsOf(yaml)->spec(); }
 
 TEST(GoalRelativeActions, AgreesWithItsSpec) {
   const std::string spec =
@@ -67,7 +68,7 @@ TEST(GoalRelativeActions, AgreesWithItsSpec) {
       "half, "
       "lookout: 1.5}";
   EXPECT_EQ(specOf(spec), spec);
-  EXPECT_EQ(specOf("{type: goal_relative}"), GoalRelativeActions().spec());
+  EXPECT_EQ(specOf("{type: goal_relative}"), defaults().spec());
   const std::string with_time_gap = spec.substr(0, spec.size() - 1) + ", time_gap: 0.9, time_gap_width: 0.8}";
   EXPECT_EQ(specOf(with_time_gap), with_time_gap);
   const std::string with_anticipation = with_time_gap.substr(0, with_time_gap.size() - 1) + ", anticipation_time: 0.5}";
@@ -86,18 +87,15 @@ TEST(GoalRelativeActions, AgreesWithItsSpec) {
 }
 
 TEST(GoalRelativeActions, MotionLimitsArePartOfTheSpecIfTheyAreOn) {
-  const auto read = [](const std::string& yaml) {
-    return makeActionSet(YAML::Load(yaml), {"file.yaml", 0, "action_set"});
-  };
-  const std::string spec = GoalRelativeActions().spec();
+  const std::string spec = defaults().spec();
   EXPECT_FALSE(contains(spec, "motion"));
-  EXPECT_EQ(read(spec)->motion(), MotionLimits());
+  EXPECT_EQ(actionsOf(spec)->motion(), MotionLimits());
   const std::string start = spec.substr(0, spec.size() - 1) + ", motion: ";
   for (const std::string motion :
        {"{acceleration: 3, braking: 3}", "{acceleration: 2.5, braking: 6, turn_rate: 1.75}"}) {
     EXPECT_EQ(specOf(start + motion + "}"), start + motion + "}");
   }
-  EXPECT_EQ(read(start + "{acceleration: 2.5, braking: 6, turn_rate: 1.75}}")->motion(),
+  EXPECT_EQ(actionsOf(start + "{acceleration: 2.5, braking: 6, turn_rate: 1.75}}")->motion(),
             (MotionLimits{2.5, 6.0, 1.75}));
   EXPECT_EQ(specOf(start + "unlimited}"), spec);
   EXPECT_TRUE(contains(errorOf<InputError>([&] { specOf(start + "{acceleration: 3}}"); }),
@@ -106,7 +104,7 @@ TEST(GoalRelativeActions, MotionLimitsArePartOfTheSpecIfTheyAreOn) {
 
 /// The limits in force are those of the perceptions, whatever those of the set.
 TEST(GoalRelativeActions, ActionsKeepTheMotionLimitsOfThePerception) {
-  const GoalRelativeActions goal_relative;
+  const ActionSet& goal_relative = defaults();
   auto scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).speed(1.3);
   EXPECT_EQ(relativeAction(goal_relative, scene.perception(), 0).speed_fraction, 1.0);
   scene.motion({2.0, 3.0, INFINITE});
@@ -120,7 +118,7 @@ TEST(GoalRelativeActions, ActionsKeepTheMotionLimitsOfThePerception) {
 TEST(GoalRelativeActions, AgentsWithMassSlowDownBesideTheirGoal) {
   // Straight on at 1.5 m/s, the goal is 0.3 m to the left: the circle through it has a radius of 0.15 m, and at 3 m/s^2
   // it can be walked at sqrt(3 * 0.15) m/s. In a tick of 0.1 s an agent brakes by 0.3 m/s.
-  const GoalRelativeActions actions;
+  const ActionSet& actions = defaults();
   const auto speed_of = [&](const Vector2& goal) {
     const auto scene = PerceptionsBuilder().agent(0, goal).speed(1.5).walking({0.9, 0.0}).motion({3.0, 3.0, INFINITE});
     const Perception seen = scene.perception();

@@ -1,22 +1,17 @@
-#include "learning/actions/kings_moves.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 
 #include "support/error_of.h"
 #include "support/moves.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 
 namespace crowd::kings_moves_test {
 namespace {
 
-std::shared_ptr<const ActionSet> make(const std::string& yaml) {
-  return makeActionSet(YAML::Load(yaml), {"file.yaml", 0, "action_set"});
-}
-
 std::string errorIn(const std::string& yaml) {
-  return errorOf<InputError>([&] { make(yaml); });
+  return errorOf<InputError>([&] { actionsOf(yaml); });
 }
 
 double rotationInDegrees(const ActionSet& actions, Action action) {
@@ -25,7 +20,8 @@ double rotationInDegrees(const ActionSet& actions, Action action) {
 }
 
 TEST(KingsMoves, TurnByMultiplesOf45DegreesAtFullSpeed) {
-  const KingsMoves moves;
+  const auto kings = actionsOf("{type: kings_moves}");
+  const ActionSet& moves = *kings;
   ASSERT_EQ(moves.size(), 8U);
   const std::array<double, 8> expected = {0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0};
   for (Action action = 0; action < 8; ++action) {
@@ -36,7 +32,8 @@ TEST(KingsMoves, TurnByMultiplesOf45DegreesAtFullSpeed) {
 }
 
 TEST(KingsMoves, DoNotDependOnThePerception) {
-  const KingsMoves moves;
+  const auto kings = actionsOf("{type: kings_moves}");
+  const ActionSet& moves = *kings;
   const PerceptionsBuilder free = PerceptionsBuilder().agent(0, {1.0, 0.0});
   const PerceptionsBuilder blocked =
       PerceptionsBuilder().agent(1, {-2.0, 5.0}).neighbour({0.5, 0.0}, 0.3).wall({0.0, 1.0}, {1.0, 1.0});
@@ -49,7 +46,8 @@ TEST(KingsMoves, DoNotDependOnThePerception) {
 }
 
 TEST(KingsMoves, AcceptAnyNumberOfRotations) {
-  const KingsMoves moves(3);
+  const auto kings = actionsOf("{type: kings_moves, rotations: 3}");
+  const ActionSet& moves = *kings;
   ASSERT_EQ(moves.size(), 3U);
   EXPECT_NEAR(rotationInDegrees(moves, 0), 0.0, 1e-9);
   EXPECT_NEAR(rotationInDegrees(moves, 1), 120.0, 1e-9);
@@ -57,40 +55,42 @@ TEST(KingsMoves, AcceptAnyNumberOfRotations) {
 }
 
 TEST(KingsMoves, CanIncludeStayingAsTheLastAction) {
-  const KingsMoves moves(8, true);
+  const auto kings = actionsOf("{type: kings_moves, stay: true}");
+  const ActionSet& moves = *kings;
   ASSERT_EQ(moves.size(), 9U);
   const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(90.0, 3.0));
   EXPECT_EQ(relativeAction(moves, scene.perception(), 8).rotation, 0.0);
   EXPECT_EQ(relativeAction(moves, scene.perception(), 8).speed_fraction, 0.0);
-  const KingsMoves without;
+  const auto without = actionsOf("{type: kings_moves}");
   for (Action action = 0; action < 8; ++action) {
     const RelativeAction one = relativeAction(moves, scene.perception(), action);
-    const RelativeAction other = relativeAction(without, scene.perception(), action);
+    const RelativeAction other = relativeAction(*without, scene.perception(), action);
     EXPECT_EQ(one.rotation, other.rotation);
     EXPECT_EQ(one.speed_fraction, other.speed_fraction);
   }
 }
 
 TEST(KingsMoves, StayingIsItsOwnMirrorImage) {
-  const KingsMoves moves(8, true);
+  const auto kings = actionsOf("{type: kings_moves, stay: true}");
+  const ActionSet& moves = *kings;
   const std::array<Action, 9> images = {0, 7, 6, 5, 4, 3, 2, 1, 8};
   for (Action action = 0; action < 9; ++action) EXPECT_EQ(moves.mirrored(action), images.at(action));
-  const KingsMoves three(3, true);
-  EXPECT_EQ(three.mirrored(1), 2U);
-  EXPECT_EQ(three.mirrored(2), 1U);
-  EXPECT_EQ(three.mirrored(3), 3U);
+  const auto three = actionsOf("{type: kings_moves, rotations: 3, stay: true}");
+  EXPECT_EQ(three->mirrored(1), 2U);
+  EXPECT_EQ(three->mirrored(2), 1U);
+  EXPECT_EQ(three->mirrored(3), 3U);
 }
 
 TEST(KingsMoves, WriteStayingInTheirSpec) {
-  EXPECT_EQ(make("{type: kings_moves, stay: true}")->spec(), "{type: kings_moves, rotations: 8, stay: true}");
-  EXPECT_EQ(make("{type: kings_moves, rotations: 4, stay: true}")->size(), 5U);
-  EXPECT_EQ(make("{type: kings_moves, stay: false}")->spec(), "{type: kings_moves, rotations: 8}");
-  EXPECT_EQ(make("{type: kings_moves, rotations: 8, stay: true}")->mirrored(8), 8U);
+  EXPECT_EQ(actionsOf("{type: kings_moves, stay: true}")->spec(), "{type: kings_moves, rotations: 8, stay: true}");
+  EXPECT_EQ(actionsOf("{type: kings_moves, rotations: 4, stay: true}")->size(), 5U);
+  EXPECT_EQ(actionsOf("{type: kings_moves, stay: false}")->spec(), "{type: kings_moves, rotations: 8}");
+  EXPECT_EQ(actionsOf("{type: kings_moves, rotations: 8, stay: true}")->mirrored(8), 8U);
   EXPECT_TRUE(contains(errorIn("{type: kings_moves, stay: often}"), "action_set.stay: expected"));
 }
 
 TEST(KingsMoves, TurnToMultiplesInTheMapWithAbsoluteDirections) {
-  const auto moves = make("{type: kings_moves, stay: true, directions: absolute}");
+  const auto moves = actionsOf("{type: kings_moves, stay: true, directions: absolute}");
   EXPECT_EQ(moves->spec(), "{type: kings_moves, rotations: 8, stay: true, directions: absolute}");
   EXPECT_FALSE(moves->hasConstantMoves());
   const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {3.0, 0.0}).heading(30.0);
@@ -98,19 +98,20 @@ TEST(KingsMoves, TurnToMultiplesInTheMapWithAbsoluteDirections) {
   EXPECT_NEAR(toDegrees(relativeAction(*moves, scene.perception(), 2).rotation), 60.0, 1e-9);
   EXPECT_EQ(relativeAction(*moves, scene.perception(), 8).rotation, 0.0);  // stays, without turning
   EXPECT_EQ(relativeAction(*moves, scene.perception(), 8).speed_fraction, 0.0);
-  EXPECT_EQ(make("{type: kings_moves, directions: relative}")->spec(), "{type: kings_moves, rotations: 8}");
+  EXPECT_EQ(actionsOf("{type: kings_moves, directions: relative}")->spec(), "{type: kings_moves, rotations: 8}");
   EXPECT_TRUE(contains(errorIn("{type: kings_moves, directions: left}"), "expected relative or absolute, got 'left'"));
 }
 
 TEST(KingsMoves, ReadBackTheirSpec) {
-  EXPECT_EQ(make("{type: kings_moves}")->spec(), "{type: kings_moves, rotations: 8}");
-  EXPECT_EQ(make("{rotations: 16, type: kings_moves}")->spec(), "{type: kings_moves, rotations: 16}");
-  EXPECT_EQ(make("{type: kings_moves, rotations: 2}")->size(), 2U);
-  EXPECT_EQ(make("{type: kings_moves, rotations: 360}")->size(), 360U);
+  EXPECT_EQ(actionsOf("{type: kings_moves}")->spec(), "{type: kings_moves, rotations: 8}");
+  EXPECT_EQ(actionsOf("{rotations: 16, type: kings_moves}")->spec(), "{type: kings_moves, rotations: 16}");
+  EXPECT_EQ(actionsOf("{type: kings_moves, rotations: 2}")->size(), 2U);
+  EXPECT_EQ(actionsOf("{type: kings_moves, rotations: 360}")->size(), 360U);
 }
 
 TEST(KingsMoves, ErrorsNameWrongKeysAndValues) {
-  EXPECT_TRUE(contains(errorIn("{type: queens_moves}"), "expected kings_moves or goal_relative, got 'queens_moves'"));
+  EXPECT_TRUE(
+      contains(errorIn("{type: queens_moves}"), "expected " + namesOf(actionSetTypes()) + ", got 'queens_moves'"));
   EXPECT_TRUE(contains(errorIn("{rotations: 8}"), "'type' is missing"));
   EXPECT_TRUE(contains(errorIn("{type: kings_moves, rotation: 8}"), "unknown key 'rotation'"));
   for (const char* const rotations : {"1", "0", "-8", "361", "8.0", "many", "[8]", "4294967304"}) {

@@ -4,9 +4,10 @@
 
 #include <utility>
 
-#include "learning/rewards/thesis_reward.h"
+#include "learning/states/obstacle_classes.h"
 #include "support/error_of.h"
 #include "support/learners.h"
+#include "support/parts.h"
 
 namespace crowd::learner_test {
 namespace {
@@ -212,9 +213,7 @@ TEST(Learner, LooksUpEachActionInItsOwnRow) {
       "reward: {goal: distance_gained, obstacle_cost: 10}}");
   const auto state_set = std::make_shared<RowPerAction>();
   model.state_set = state_set;
-  model.reward =
-      std::make_shared<ThesisReward>(ThesisReward::Parameters{ThesisReward::GoalPart::DISTANCE_GAINED, 100.0, 10.0},
-                                     *state_set, state_set->rowCount());
+  model.reward = rewardOf("{goal: distance_gained, obstacle_cost: 10}", *state_set);
   QTable table(5, 2);
   table.set(1, 0, 4.0, 1);  // far: action 0
   table.set(3, 1, 2.0, 1);

@@ -1,11 +1,12 @@
-#include "learning/states/nearest_obstacle_states.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
 #include "common/random.h"
+#include "learning/states/sector_states.h"
+#include "support/error_of.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 #include "support/rows.h"
 #include "support/sector_cases.h"
@@ -13,13 +14,42 @@
 namespace crowd::nearest_obstacle_states_test {
 namespace {
 
-using Situation = NearestObstacleStates::Situation;
 using sector_cases::SectorCase;
+
+/// The contents of a state.
+struct Situation {
+  int goal_sector;
+  int obstacle_sector;
+  int distance_class;  // 0: nothing perceived
+};
+
+const SectorStates& states() {
+  static const auto STATES = statesOf("{type: nearest_obstacle}");
+  return dynamic_cast<const SectorStates&>(*STATES);
+}
+
+/// Inverse of (3.2) and (3.3), with 8 sectors of each kind.
+Situation describe(const StateSet& states, const PerceptionsBuilder& scene) {
+  const auto row = static_cast<int>(rowsOf(states, scene.perception()).at(0));
+  if (row < 8) return {row, 0, 0};
+  return {(row - 8) / 16, (row - 8) % 16 / 2, (row - 8) % 2 + 1};
+}
+
+Situation describe(const PerceptionsBuilder& scene) { return describe(states(), scene); }
 
 /// An agent whose goal lies 5 m straight ahead.
 PerceptionsBuilder agentAlone() { return PerceptionsBuilder().agent(0, {5.0, 0.0}); }
 
-Situation describe(const PerceptionsBuilder& scene) { return NearestObstacleStates().describe(scene.perception()); }
+/// The row of a state with 8 sectors of each kind.
+Row rowOf(const Situation& situation) {
+  PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(45.0 * situation.goal_sector, 5.0));
+  const std::vector<double> bearings = {7.5, 30.0, 67.5, 135.0, -7.5, -30.0, -67.5, -135.0};
+  if (situation.distance_class > 0) {
+    const double rim = situation.distance_class == 1 ? 0.3 : 0.8;
+    scene.neighbour(polar(bearings.at(static_cast<std::size_t>(situation.obstacle_sector)), rim + 0.1), 0.1);
+  }
+  return rowsOf(states(), scene.perception()).at(0);
+}
 
 int goalSectorOf(const Vector2& goal) { return describe(PerceptionsBuilder().agent(0, goal)).goal_sector; }
 
@@ -70,9 +100,8 @@ TEST(NearestObstacleStates, PerceivesNothingBeyondItsRadius) {
   EXPECT_EQ(classOfNeighbour({3.0, 0.0}, 0.5), 0);
   EXPECT_EQ(classOfWall({1.5, -1.0}, {1.5, 1.0}), 0);
   // A body beyond the radius of vision does not change the row.
-  const NearestObstacleStates states;
   for (double degrees = -175.0; degrees < 180.0; degrees += 10.0) {
-    EXPECT_EQ(states.rowOf(describe(agentAlone().neighbour(polar(degrees, 2.0), 0.5))), 0U);
+    EXPECT_EQ(rowsOf(states(), agentAlone().neighbour(polar(degrees, 2.0), 0.5).perception()).at(0), 0U);
   }
 }
 
@@ -120,40 +149,36 @@ TEST(NearestObstacleStates, FindsTheNearestObstacleInAnyOrder) {
 }
 
 TEST(NearestObstacleStates, NumbersRowsAsTheThesisDoes) {
-  const NearestObstacleStates states;
-  EXPECT_EQ(states.rowCount(), 137U);
-  EXPECT_EQ(states.terminal(), 136U);      // 8 * 8 * 2 + 8
-  EXPECT_EQ(states.rowOf({0, 0, 0}), 0U);  // (3.2): G
-  EXPECT_EQ(states.rowOf({3, 0, 0}), 3U);
-  EXPECT_EQ(states.rowOf({7, 0, 0}), 7U);
-  EXPECT_EQ(states.rowOf({0, 0, 1}), 8U);    // 7 + 0 * 16 + 0 * 2 + 1
-  EXPECT_EQ(states.rowOf({0, 7, 2}), 23U);   // 7 + 0 * 16 + 7 * 2 + 2
-  EXPECT_EQ(states.rowOf({1, 0, 1}), 24U);   // 7 + 1 * 16 + 0 * 2 + 1
-  EXPECT_EQ(states.rowOf({5, 3, 2}), 95U);   // 7 + 5 * 16 + 3 * 2 + 2
-  EXPECT_EQ(states.rowOf({7, 7, 2}), 135U);  // 7 + 7 * 16 + 7 * 2 + 2
+  EXPECT_EQ(states().rowCount(), 137U);
+  EXPECT_EQ(states().terminal(), 136U);  // 8 * 8 * 2 + 8
+  EXPECT_EQ(rowOf({0, 0, 0}), 0U);       // (3.2): G
+  EXPECT_EQ(rowOf({3, 0, 0}), 3U);
+  EXPECT_EQ(rowOf({7, 0, 0}), 7U);
+  EXPECT_EQ(rowOf({0, 0, 1}), 8U);    // 7 + 0 * 16 + 0 * 2 + 1
+  EXPECT_EQ(rowOf({0, 7, 2}), 23U);   // 7 + 0 * 16 + 7 * 2 + 2
+  EXPECT_EQ(rowOf({1, 0, 1}), 24U);   // 7 + 1 * 16 + 0 * 2 + 1
+  EXPECT_EQ(rowOf({5, 3, 2}), 95U);   // 7 + 5 * 16 + 3 * 2 + 2
+  EXPECT_EQ(rowOf({7, 7, 2}), 135U);  // 7 + 7 * 16 + 7 * 2 + 2
 }
 
 TEST(NearestObstacleStates, NumbersRowsOfOtherSectors) {
-  NearestObstacleStates::Parameters parameters;
-  parameters.goal_sectors = 4;
-  parameters.obstacle_sectors = {90.0, 180.0};
-  const NearestObstacleStates states(parameters);
-  EXPECT_EQ(states.terminal(), 36U);        // 4 * 4 * 2 + 4
-  EXPECT_EQ(states.rowOf({2, 3, 1}), 26U);  // 3 + 2 * 8 + 3 * 2 + 1
+  const auto four = statesOf("{type: nearest_obstacle, goal_sectors: 4, obstacle_sectors: [90, 180]}");
+  EXPECT_EQ(four->rowCount(), 37U);  // 4 * 4 * 2 + 4, and the terminal row
+  const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, polar(180.0, 5.0)).neighbour(polar(-135.0, 0.4), 0.1);
+  EXPECT_EQ(rowsOf(*four, scene.perception()).at(0), 26U);  // 3 + 2 * 8 + 3 * 2 + 1
 }
 
 TEST(NearestObstacleStates, MapsSituationsToRowsOneToOne) {
-  const NearestObstacleStates states;
-  std::set<Row> rows = {states.terminal()};
+  std::set<Row> rows = {states().terminal()};
   std::size_t situations = 1;
   for (int goal = 0; goal < 8; ++goal, ++situations) {
-    rows.insert(states.rowOf({goal, 0, 0}));
-    EXPECT_EQ(states.distanceClasses(states.rowOf({goal, 0, 0})), std::vector<int>{});
+    rows.insert(rowOf({goal, 0, 0}));
+    EXPECT_EQ(states().distanceClasses(rowOf({goal, 0, 0})), std::vector<int>{});
     for (int sector = 0; sector < 8; ++sector) {
       for (int distance_class = 1; distance_class <= 2; ++distance_class, ++situations) {
-        const Row row = states.rowOf({goal, sector, distance_class});
+        const Row row = rowOf({goal, sector, distance_class});
         rows.insert(row);
-        EXPECT_EQ(states.distanceClasses(row), std::vector<int>{distance_class});
+        EXPECT_EQ(states().distanceClasses(row), std::vector<int>{distance_class});
       }
     }
   }
@@ -161,31 +186,12 @@ TEST(NearestObstacleStates, MapsSituationsToRowsOneToOne) {
   EXPECT_EQ(rows.size(), 137U);
   EXPECT_EQ(*rows.begin(), 0U);
   EXPECT_EQ(*rows.rbegin(), 136U);
-  EXPECT_EQ(states.distanceClasses(states.terminal()), std::vector<int>{});
-}
-
-TEST(NearestObstacleStates, EachRowExceptTheTerminalOneCanBePerceived) {
-  const NearestObstacleStates states;
-  std::set<Row> rows;
-  for (double goal = 0.0; goal < 360.0; goal += 45.0) {
-    const PerceptionsBuilder alone = PerceptionsBuilder().agent(0, polar(goal, 5.0));
-    rows.insert(rowsOf(states, alone.perception()).at(0));
-    for (const double bearing : {7.5, 30.0, 67.5, 135.0, -7.5, -30.0, -67.5, -135.0}) {
-      for (const double rim : {0.3, 0.8}) {
-        const PerceptionsBuilder scene =
-            PerceptionsBuilder().agent(0, polar(goal, 5.0)).neighbour(polar(bearing, rim + 0.1), 0.1);
-        rows.insert(rowsOf(states, scene.perception()).at(0));
-      }
-    }
-  }
-  EXPECT_EQ(rows.size(), 136U);
-  EXPECT_EQ(rows.count(states.terminal()), 0U);
+  EXPECT_EQ(states().distanceClasses(states().terminal()), std::vector<int>{});
 }
 
 TEST(NearestObstacleStates, ReturnsTheOccupiedSectorForPictures) {
-  const NearestObstacleStates states;
-  EXPECT_TRUE(states.occupiedSectors(agentAlone().neighbour({3.0, 0.0}, 0.5).perception()).empty());
-  const auto occupied = states.occupiedSectors(agentAlone().neighbour(polar(-30.0, 0.8), 0.1).perception());
+  EXPECT_TRUE(states().occupiedSectors(agentAlone().neighbour({3.0, 0.0}, 0.5).perception()).empty());
+  const auto occupied = states().occupiedSectors(agentAlone().neighbour(polar(-30.0, 0.8), 0.1).perception());
   ASSERT_EQ(occupied.size(), 1U);
   EXPECT_NEAR(occupied[0].from, toRadians(-45.0), 1e-9);
   EXPECT_NEAR(occupied[0].to, toRadians(-15.0), 1e-9);
@@ -193,32 +199,31 @@ TEST(NearestObstacleStates, ReturnsTheOccupiedSectorForPictures) {
 }
 
 TEST(NearestObstacleStates, CanBeRelativeToTheMap) {
-  NearestObstacleStates::Parameters parameters;
-  parameters.directions = Directions::ABSOLUTE;
-  const NearestObstacleStates states(parameters);
+  const auto absolute = statesOf("{type: nearest_obstacle, directions: absolute}");
   // The goal is ahead, which is 90 degrees in the map; the obstacle is at 90 + 170 = 260 degrees, which is -100.
   const PerceptionsBuilder scene = agentAlone().heading(90.0).neighbour(polar(170.0, 0.8), 0.1);
-  EXPECT_EQ(states.describe(scene.perception()).goal_sector, 2);
-  EXPECT_EQ(states.describe(scene.perception()).obstacle_sector, 7);  // -180 to -90 degrees
-  const auto occupied = states.occupiedSectors(scene.perception());   // in the agent's frame
+  EXPECT_EQ(describe(*absolute, scene).goal_sector, 2);
+  EXPECT_EQ(describe(*absolute, scene).obstacle_sector, 7);  // -180 to -90 degrees
+  const auto occupied = dynamic_cast<const SectorPicture&>(*absolute).occupiedSectors(scene.perception());
+  // In the agent's frame.
   EXPECT_NEAR(occupied.at(0).from, toRadians(-180.0 - 90.0), 1e-9);
   EXPECT_NEAR(occupied.at(0).to, toRadians(-90.0 - 90.0), 1e-9);
-  EXPECT_TRUE(contains(states.spec(), "vision_radius: 1, directions: absolute}"));
+  EXPECT_TRUE(contains(absolute->spec(), "vision_radius: 1, directions: absolute}"));
 }
 
 TEST(NearestObstacleStates, UsesItsParameters) {
-  NearestObstacleStates::Parameters parameters;
-  parameters.goal_sectors = 4;
-  parameters.obstacle_sectors = {22.5, 180.0};
-  parameters.distances = {0.25, 3.0};
-  const NearestObstacleStates states(parameters);
-  EXPECT_EQ(states.distanceLimits(), (std::vector<double>{0.25, 3.0}));
-  EXPECT_EQ(states.rowsPerPerception(), 1U);
-  EXPECT_EQ(states.spec(),
-            "{type: nearest_obstacle, goal_sectors: 4, obstacle_sectors: [22.5, 180], collision_radius: 0.25, "
-            "vision_radius: 3}");
+  const std::string spec =
+      "{type: nearest_obstacle, goal_sectors: 4, obstacle_sectors: [22.5, 180], collision_radius: 0.25, "
+      "vision_radius: 3}";
+  const auto four = statesOf(spec);
+  const auto& sectors = dynamic_cast<const SectorStates&>(*four);
+  EXPECT_EQ(sectors.distanceLimits(), (std::vector<double>{0.25, 3.0}));
+  EXPECT_EQ(four->rowsPerPerception(), 1U);
+  EXPECT_EQ(four->spec(), spec);
   const auto class_at = [&](double rim) {
-    return states.describe(agentAlone().neighbour({rim + 0.5, 0.0}, 0.5).perception()).distance_class;
+    const auto scene = agentAlone().neighbour({rim + 0.5, 0.0}, 0.5);
+    const std::vector<int> classes = sectors.distanceClasses(rowsOf(*four, scene.perception()).at(0));
+    return classes.empty() ? 0 : classes[0];
   };
   EXPECT_EQ(class_at(0.25), 1);
   EXPECT_EQ(class_at(0.5), 2);

@@ -5,12 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "learning/actions/kings_moves.h"
-#include "learning/rewards/thesis_reward.h"
-#include "learning/states/condensed_occupancy_states.h"
-#include "learning/states/nearest_obstacle_states.h"
 #include "learning/states/occupancy_states.h"
 #include "support/error_of.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 #include "support/rows.h"
 #include "support/sector_cases.h"
@@ -23,7 +20,7 @@ using Classes = std::vector<int>;
 /// 15, 45, 90 and 180 degrees: sectors 0 to 3 on the left, 4 to 7 on the right, each from front to back.
 OccupancyStates::Parameters thesisSectors() {
   OccupancyStates::Parameters parameters;
-  parameters.obstacle_sectors = NearestObstacleStates::Parameters().obstacle_sectors;
+  parameters.obstacle_sectors = {15, 45, 90, 180};
   return parameters;
 }
 
@@ -38,17 +35,13 @@ Classes classesOfNeighbour(double degrees, double distance, double radius) {
   return classesOf(agentAlone().neighbour(polar(degrees, distance), radius));
 }
 
-std::shared_ptr<const StateSet> make(const std::string& yaml) {
-  return makeStateSet(YAML::Load(yaml), {"file.yaml", 0, "state_set"}, KingsMoves());
-}
-
 std::string errorIn(const std::string& yaml) {
-  return errorOf<InputError>([&] { make(yaml); });
+  return errorOf<InputError>([&] { statesOf(yaml); });
 }
 
 TEST(OccupancyByLimits, HasTheSectorsOfSetOne) {
   const OccupancyStates states(thesisSectors());
-  const NearestObstacleStates set_one;
+  const auto set_one = statesOf("{type: nearest_obstacle}");
   for (const sector_cases::SectorCase& edge : sector_cases::UNEVEN) {
     // 0.7 m away and so small that it cuts no limiting vector.
     const PerceptionsBuilder scene = agentAlone().neighbour(polar(edge.degrees, 0.7), 1e-4);
@@ -58,7 +51,8 @@ TEST(OccupancyByLimits, HasTheSectorsOfSetOne) {
     for (int sector = 0; sector < 8; ++sector) {
       EXPECT_EQ(classes[static_cast<std::size_t>(sector)], sector == edge.sector ? 2 : 0) << edge.degrees << " degrees";
     }
-    EXPECT_EQ(set_one.describe(scene.perception()).obstacle_sector, edge.sector);
+    const auto row = static_cast<int>(rowsOf(*set_one, scene.perception()).at(0));
+    EXPECT_EQ(row, 7 + edge.sector * 2 + 2) << edge.degrees << " degrees";  // (3.3) with the goal ahead
   }
 }
 
@@ -89,16 +83,15 @@ TEST(OccupancyByLimits, WallsCutTheLimitsOfBothSides) {
 
 TEST(OccupancyByLimits, CostsWhatItsSectorsCost) {
   const OccupancyStates states(thesisSectors());
-  ThesisReward::Parameters parameters;
-  parameters.obstacle_cost = 10.0;
-  const ThesisReward reward(parameters, states, states.rowCount());
+  const auto reward = rewardOf("{goal: distance_gained, obstacle_cost: 10}", states);
   // A disc of radius 0.3 whose centre is 0.7 m ahead: class 1 in four sectors.
   const PerceptionsBuilder scene = agentAlone().neighbour({0.7, 0.0}, 0.3);
-  EXPECT_DOUBLE_EQ(reward.obstaclePart(states.rowOf(scene.perception())), -40.0);
+  const Perception seen = scene.perception();
+  EXPECT_DOUBLE_EQ((*reward)(seen.self, seen, states.rowOf(seen)), -40.0);
 }
 
 TEST(OccupancyByLimits, NumbersOfGoalAndObstacleSectorsMayDiffer) {
-  const auto states = make("{type: occupancy, sectors: 6, obstacle_sectors: [30, 180]}");
+  const auto states = statesOf("{type: occupancy, sectors: 6, obstacle_sectors: [30, 180]}");
   EXPECT_EQ(states->rowCount(), 487U);  // 6 * 3^4 + 1
   const auto& six = dynamic_cast<const OccupancyStates&>(*states);
   EXPECT_EQ(six.rowOf({5, {0, 2, 0, 1}}), 424U);  // 5 * 81 + 2 * 9 + 1
@@ -111,7 +104,7 @@ TEST(OccupancyByLimits, NumbersOfGoalAndObstacleSectorsMayDiffer) {
                                        .neighbour(polar(100.0, 0.7), 0.1)
                                        .neighbour(polar(-100.0, 0.4), 0.1);
   EXPECT_EQ(rowsOf(*states, scene.perception()).at(0), 424U);
-  const auto condensed = make("{type: condensed_occupancy, sectors: 6, obstacle_sectors: [30, 180]}");
+  const auto condensed = statesOf("{type: condensed_occupancy, sectors: 6, obstacle_sectors: [30, 180]}");
   EXPECT_EQ(condensed->rowCount(), 193U);                               // 6 * 2 * 2^4 + 1
   EXPECT_EQ(rowsOf(*condensed, scene.perception()).at(0), 181U);        // 5 * 32 + 16 + 4 + 1
   EXPECT_EQ(condensed->mirrored(5U * 32U + 16U + 4U), 32U + 16U + 1U);  // goal sector 1, sector 3
@@ -120,7 +113,7 @@ TEST(OccupancyByLimits, NumbersOfGoalAndObstacleSectorsMayDiffer) {
 
 TEST(OccupancyByLimits, ReturnsOccupiedSectorsForPictures) {
   for (const char* const type : {"occupancy", "condensed_occupancy"}) {
-    const auto states = make(std::string("{type: ") + type + ", obstacle_sectors: [15, 45, 90, 180]}");
+    const auto states = statesOf(std::string("{type: ") + type + ", obstacle_sectors: [15, 45, 90, 180]}");
     const PerceptionsBuilder scene = agentAlone().neighbour(polar(30.0, 0.7), 0.1).neighbour(polar(-120.0, 0.4), 0.1);
     const auto occupied = dynamic_cast<const SectorPicture&>(*states).occupiedSectors(scene.perception());
     ASSERT_EQ(occupied.size(), 2U);
@@ -139,14 +132,15 @@ TEST(OccupancyByLimits, ExplainsItsRows) {
   EXPECT_EQ(meaning.quantities[0].classes.size(), 8U);
   EXPECT_EQ(meaning.quantities[1].name, "body left 0-15°");
   EXPECT_EQ(meaning.quantities[8].name, "body right 90-180°");
-  EXPECT_EQ(CondensedOccupancyStates(thesisSectors()).meaning().quantities[4].name, "body left 45-90°");
+  const auto condensed = statesOf("{type: condensed_occupancy, obstacle_sectors: [15, 45, 90, 180]}");
+  EXPECT_EQ(dynamic_cast<const ExplainedRows&>(*condensed).meaning().quantities[4].name, "body left 45-90°");
 }
 
 TEST(OccupancyByLimits, ReadsBackItsSpec) {
   for (const char* const type : {"occupancy", "condensed_occupancy"}) {
     const std::string spec = std::string("{type: ") + type +
                              ", sectors: 5, obstacle_sectors: [22.5, 180], collision_radius: 0.25, vision_radius: 3}";
-    EXPECT_EQ(make(spec)->spec(), spec);
+    EXPECT_EQ(statesOf(spec)->spec(), spec);
   }
 }
 

@@ -12,20 +12,13 @@
 #include "support/error_of.h"
 #include "support/learners.h"
 #include "support/moves.h"
+#include "support/parts.h"
 #include "support/rows.h"
 
 namespace crowd::part_types_test {
 namespace {
 
 std::string typed(const std::string& name) { return "{type: " + name + "}"; }
-
-std::shared_ptr<const ActionSet> makeActions(const std::string& text) {
-  return makeActionSet(YAML::Load(text), {"test", 0, "action_set"});
-}
-
-std::shared_ptr<const StateSet> makeStates(const std::string& text, const ActionSet& actions) {
-  return makeStateSet(YAML::Load(text), {"test", 0, "state_set"}, actions);
-}
 
 template <typename Types>
 void expectDistinctNames(const Types& types) {
@@ -47,30 +40,30 @@ TEST(PartTypes, ErrorsListTheNames) {
   EXPECT_EQ(namesOf(one), "first");
   const std::vector<ActionSetType> three = {{"first", "", nullptr}, {"second", "", nullptr}, {"third", "", nullptr}};
   EXPECT_EQ(namesOf(three), "first, second or third");
-  EXPECT_TRUE(contains(errorOf<InputError>([] { makeActions("{type: fourth}"); }),
+  EXPECT_TRUE(contains(errorOf<InputError>([] { actionsOf("{type: fourth}"); }),
                        "expected " + namesOf(actionSetTypes()) + ", got 'fourth'"));
 }
 
 TEST(PartTypes, StateAndActionSetsHaveDefaultsAndReadBackTheirSpecs) {
   for (const ActionSetType& action_type : actionSetTypes()) {
-    const auto actions = makeActions(typed(action_type.name));
-    EXPECT_EQ(makeActions(actions->spec())->spec(), actions->spec());
+    const auto actions = actionsOf(typed(action_type.name));
+    EXPECT_EQ(actionsOf(actions->spec())->spec(), actions->spec());
     for (const StateSetType& state_type : stateSetTypes()) {
-      const auto states = makeStates(typed(state_type.name), *actions);
-      EXPECT_EQ(makeStates(states->spec(), *actions)->spec(), states->spec());
+      const auto states = statesOf(typed(state_type.name), *actions);
+      EXPECT_EQ(statesOf(states->spec(), *actions)->spec(), states->spec());
     }
   }
 }
 
 TEST(PartTypes, MirroringTwiceGivesTheOriginal) {
   for (const ActionSetType& action_type : actionSetTypes()) {
-    const auto actions = makeActions(typed(action_type.name));
+    const auto actions = actionsOf(typed(action_type.name));
     for (Action action = 0; action < actions->size(); ++action) {
       ASSERT_LT(actions->mirrored(action), actions->size()) << action_type.name;
       ASSERT_EQ(actions->mirrored(actions->mirrored(action)), action) << action_type.name;
     }
     for (const StateSetType& state_type : stateSetTypes()) {
-      const auto states = makeStates(typed(state_type.name), *actions);
+      const auto states = statesOf(typed(state_type.name), *actions);
       for (Row row = 0; row < states->rowCount(); ++row) {
         ASSERT_LT(states->mirrored(row), states->rowCount()) << state_type.name;
         ASSERT_EQ(states->mirrored(states->mirrored(row)), row) << state_type.name;
@@ -82,9 +75,9 @@ TEST(PartTypes, MirroringTwiceGivesTheOriginal) {
 TEST(PartTypes, RowsOfAnyPerceptionAreInTheTable) {
   constexpr AgentId AGENTS = 20;
   for (const ActionSetType& action_type : actionSetTypes()) {
-    const auto actions = makeActions(typed(action_type.name));
+    const auto actions = actionsOf(typed(action_type.name));
     for (const StateSetType& state_type : stateSetTypes()) {
-      const auto states = makeStates(typed(state_type.name), *actions);
+      const auto states = statesOf(typed(state_type.name), *actions);
       for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const PerceptionsBuilder tick = learners::randomTick(seed, 0, 0, AGENTS);
         for (AgentId agent = 0; agent < AGENTS; ++agent) {
@@ -99,9 +92,9 @@ TEST(PartTypes, RowsOfAnyPerceptionAreInTheTable) {
 }
 
 TEST(PartTypes, PicturesShowDistanceLimitsWithinTheVision) {
-  const auto actions = makeActions(typed("kings_moves"));
+  const auto actions = actionsOf(typed("kings_moves"));
   for (const StateSetType& type : stateSetTypes()) {
-    const auto states = makeStates(typed(type.name), *actions);
+    const auto states = statesOf(typed(type.name), *actions);
     const auto* const picture = dynamic_cast<const SectorPicture*>(states.get());
     if (picture == nullptr) continue;
     ASSERT_FALSE(picture->distanceLimits().empty()) << type.name;
@@ -110,9 +103,9 @@ TEST(PartTypes, PicturesShowDistanceLimitsWithinTheVision) {
 }
 
 TEST(PartTypes, DescriptionsHaveAllRows) {
-  const auto actions = makeActions(typed("kings_moves"));
+  const auto actions = actionsOf(typed("kings_moves"));
   for (const StateSetType& type : stateSetTypes()) {
-    const auto states = makeStates(typed(type.name), *actions);
+    const auto states = statesOf(typed(type.name), *actions);
     const auto* const explained = dynamic_cast<const ExplainedRows*>(states.get());
     if (explained == nullptr) continue;
     const RowMeaning meaning = explained->meaning();

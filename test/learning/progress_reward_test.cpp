@@ -1,10 +1,9 @@
-#include "learning/rewards/progress_reward.h"
-
 #include <gtest/gtest.h>
 
 #include "common/random.h"
-#include "learning/states/occupancy_states.h"
+#include "common/text/numbers.h"
 #include "support/error_of.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 
 namespace crowd::progress_reward_test {
@@ -12,13 +11,15 @@ namespace {
 
 constexpr double SPEED = 0.3;  // of the builder's agents [m/s]; 0.03 m a tick
 
-ProgressReward::Parameters free() {
-  ProgressReward::Parameters parameters;
-  parameters.turn_penalty = 0.0;
-  parameters.conflict_penalty = 0.0;
-  parameters.rest_penalty = 0.0;
-  parameters.contact_penalty = 0.0;
-  return parameters;
+std::shared_ptr<const Reward> make(const std::string& yaml) { return rewardOf(yaml, *statesOf("{type: occupancy}")); }
+
+/// The reward with one penalty at most.
+std::shared_ptr<const Reward> withOnly(const std::string& penalty, double value = 0.0) {
+  std::string yaml = "{type: progress";
+  for (const std::string key : {"turn_penalty", "conflict_penalty", "rest_penalty", "contact_penalty"}) {
+    yaml += ", " + key + ": " + (key == penalty ? toText(value) : "0");
+  }
+  return make(yaml + "}");
 }
 
 AgentPerception before(const Vector2& goal) {
@@ -31,7 +32,8 @@ AgentPerception before(const Vector2& goal) {
 PerceptionsBuilder after(const Vector2& goal) { return PerceptionsBuilder().agent(0, goal); }
 
 TEST(ProgressReward, IsTheNumberOfLostTicks) {
-  const ProgressReward reward(free());
+  const auto made = withOnly("");
+  const Reward& reward = *made;
   EXPECT_NEAR(reward(before({5.0, 0.0}), after({4.97, 0.0}).perception(), 0), 0.0, 1e-9);
   EXPECT_NEAR(reward(before({5.0, 0.0}), after({5.0, 0.0}).perception(), 0), -1.0, 1e-9);
   EXPECT_NEAR(reward(before({5.0, 0.0}), after({5.03, 0.0}).perception(), 0), -2.0, 1e-9);
@@ -39,28 +41,27 @@ TEST(ProgressReward, IsTheNumberOfLostTicks) {
 }
 
 TEST(ProgressReward, PenalisesTurnsInBothDirections) {
-  ProgressReward::Parameters parameters = free();
-  parameters.turn_penalty = 2.0;
+  const auto made = withOnly("turn_penalty", 2.0);
+  const Reward& reward = *made;
   AgentPerception self = before({5.0, 0.0});
   self.pose.heading = 0.25;  // the heading of the builder's agents is 0
-  EXPECT_NEAR(ProgressReward(parameters)(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
+  EXPECT_NEAR(reward(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
   self.pose.heading = -0.25;
-  EXPECT_NEAR(ProgressReward(parameters)(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
+  EXPECT_NEAR(reward(self, after({4.97, 0.0}).perception(), 0), -0.5, 1e-9);
 }
 
 TEST(ProgressReward, PenalisesStanding) {
-  ProgressReward::Parameters parameters = free();
-  parameters.rest_penalty = 0.5;
-  EXPECT_NEAR(ProgressReward(parameters)(before({5.0, 0.0}), after({5.0, 0.0}).perception(), 0), -1.5, 1e-9);
+  const auto made = withOnly("rest_penalty", 0.5);
+  const Reward& reward = *made;
+  EXPECT_NEAR(reward(before({5.0, 0.0}), after({5.0, 0.0}).perception(), 0), -1.5, 1e-9);
 }
 
 TEST(ProgressReward, PenaltyOfACollisionCourseGrowsWithProximity) {
-  ProgressReward::Parameters parameters = free();
-  parameters.conflict_penalty = 3.0;
-  parameters.conflict_time = 4.0;
+  const auto made = withOnly("conflict_penalty", 3.0);
+  const Reward& reward = *made;
   const auto penalty = [&](double gap, const Vector2& goal) {
     auto scene = after(goal).neighbour({0.5 + gap, 0.0}, 0.25).velocity({SPEED, 0.0}, {-0.7, 0.0});
-    return 1.0 + ProgressReward(parameters)(before(goal), scene.perception(), 0);  // no progress: minus one tick
+    return 1.0 + reward(before(goal), scene.perception(), 0);  // no progress: minus one tick
   };
   EXPECT_NEAR(penalty(1.0, {5.0, 0.0}), -2.25, 1e-9);  // 1 s ahead at 1 m/s: three quarters
   EXPECT_NEAR(penalty(3.0, {5.0, 0.0}), -0.75, 1e-9);
@@ -69,12 +70,12 @@ TEST(ProgressReward, PenaltyOfACollisionCourseGrowsWithProximity) {
 }
 
 TEST(ProgressReward, PenalisesContact) {
-  ProgressReward::Parameters parameters = free();
-  parameters.contact_penalty = 20.0;
+  const auto made = withOnly("contact_penalty", 20.0);
+  const Reward& reward = *made;
   auto apart = after({5.0, 0.0}).neighbour({0.51, 0.0}, 0.25);
-  EXPECT_NEAR(ProgressReward(parameters)(before({5.0, 0.0}), apart.perception(), 0), -1.0, 1e-9);
+  EXPECT_NEAR(reward(before({5.0, 0.0}), apart.perception(), 0), -1.0, 1e-9);
   auto overlapping = after({5.0, 0.0}).neighbour({0.49, 0.0}, 0.25);
-  EXPECT_NEAR(ProgressReward(parameters)(before({5.0, 0.0}), overlapping.perception(), 0), -21.0, 1e-9);
+  EXPECT_NEAR(reward(before({5.0, 0.0}), overlapping.perception(), 0), -21.0, 1e-9);
 }
 
 constexpr std::size_t MIDDLE = 1;  // of three agents
@@ -95,9 +96,8 @@ PerceptionsBuilder sceneOf(std::size_t neighbours, std::size_t touching, const V
 }
 
 TEST(ProgressReward, PenalisesContactWithAnyNeighbour) {
-  ProgressReward::Parameters parameters = free();
-  parameters.contact_penalty = 20.0;
-  const ProgressReward reward(parameters);
+  const auto made = withOnly("contact_penalty", 20.0);
+  const Reward& reward = *made;
   const Vector2 goal(5.0, 0.0);
   constexpr std::uint64_t SEED = 1;
   KeyedRandom random(SEED, KeyedRandom::PLACEMENT, {});
@@ -114,14 +114,9 @@ TEST(ProgressReward, AgreesWithItsSpec) {
   const std::string spec =
       "{type: progress, turn_penalty: 1.5, conflict_penalty: 2, conflict_time: 3, rest_penalty: 0.25, contact_penalty: "
       "7}";
-  const YamlPlace place{"file.yaml", 0, "reward"};
-  YamlMap map(
-      YAML::Load("{turn_penalty: 1.5, conflict_penalty: 2, conflict_time: 3, rest_penalty: 0.25, contact_penalty: 7}"),
-      place);
-  EXPECT_EQ(readProgressReward(map, OccupancyStates())->spec(), spec);
-  YamlMap wrong(YAML::Load("{conflict_time: 0}"), place);
+  EXPECT_EQ(make(spec)->spec(), spec);
   EXPECT_TRUE(
-      contains(errorOf<InputError>([&] { readProgressReward(wrong, OccupancyStates()); }), "conflict_time: expected"));
+      contains(errorOf<InputError>([] { make("{type: progress, conflict_time: 0}"); }), "conflict_time: expected"));
 }
 
 }  // namespace

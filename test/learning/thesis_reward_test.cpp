@@ -1,32 +1,32 @@
-#include "learning/rewards/thesis_reward.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "learning/states/nearest_obstacle_states.h"
 #include "learning/states/occupancy_states.h"
 #include "support/error_of.h"
+#include "support/parts.h"
 #include "support/perceptions.h"
 
 namespace crowd::thesis_reward_test {
 namespace {
 
-/// (3.6) or (3.7), with the obstacle part of the thesis's state set 1 (3.8).
-ThesisReward nearestReward(ThesisReward::GoalPart goal) {
-  ThesisReward::Parameters parameters;
-  parameters.goal = goal;
-  parameters.obstacle_cost = 80.0;
-  const NearestObstacleStates states;
-  return {parameters, states, states.rowCount()};
+std::shared_ptr<const Reward> make(const std::string& yaml) {
+  return rewardOf(yaml, *statesOf("{type: nearest_obstacle}"));
 }
 
-/// The same with that of state set 2 (3.9).
-ThesisReward occupancyReward() {
-  ThesisReward::Parameters parameters;
-  parameters.obstacle_cost = 10.0;
-  const OccupancyStates states;
-  return {parameters, states, states.rowCount()};
+/// (3.6) or (3.7), with the obstacle part of the thesis's state set 1 (3.8).
+std::shared_ptr<const Reward> nearestReward(const std::string& goal) {
+  return make("{goal: " + goal + ", obstacle_cost: 80}");
+}
+
+/// (3.7), with the obstacle part of state set 2 (3.9).
+std::shared_ptr<const Reward> occupancyReward() {
+  return rewardOf("{goal: cosine_cubed, obstacle_cost: 10}", OccupancyStates());
+}
+
+/// The row of state set 1 with the goal in a sector and an obstacle in another one (3.3).
+Row nearestRow(int goal_sector, int obstacle_sector, int distance_class) {
+  return static_cast<Row>(7 + goal_sector * 16 + obstacle_sector * 2 + distance_class);
 }
 
 AgentPerception withGoalAt(const Vector2& goal) {
@@ -41,15 +41,20 @@ double worth(const Reward& reward, const AgentPerception& before, const AgentPer
   return reward(before, {perceptions, 0}, row);
 }
 
+/// The obstacle part: the goal is aside of the agent, so that (3.7) is 0.
+double obstaclePart(const Reward& reward, Row row) {
+  return worth(reward, withGoalAt({0.0, 3.0}), withGoalAt({0.0, 3.0}), row);
+}
+
 /// (3.7) for a goal at a bearing after the move, nothing around.
 double cosineReward(double degrees) {
-  const ThesisReward reward = nearestReward(ThesisReward::GoalPart::COSINE_CUBED);
-  return worth(reward, withGoalAt({7.0, 7.0}), withGoalAt(polar(degrees, 4.0)), 0);
+  const auto reward = nearestReward("cosine_cubed");
+  return worth(*reward, withGoalAt({7.0, 7.0}), withGoalAt(polar(degrees, 4.0)), 0);
 }
 
 /// (3.6) for a goal at two distances, nothing around.
 double distanceReward(const Vector2& before, const Vector2& after) {
-  return worth(nearestReward(ThesisReward::GoalPart::DISTANCE_GAINED), withGoalAt(before), withGoalAt(after), 0);
+  return worth(*nearestReward("distance_gained"), withGoalAt(before), withGoalAt(after), 0);
 }
 
 TEST(ThesisReward, GoalPartIsTheDistanceGained) {
@@ -60,12 +65,12 @@ TEST(ThesisReward, GoalPartIsTheDistanceGained) {
 }
 
 TEST(ThesisReward, DistanceGainedIsZeroForANewGoal) {
-  const ThesisReward reward = nearestReward(ThesisReward::GoalPart::DISTANCE_GAINED);
+  const auto reward = nearestReward("distance_gained");
   const AgentPerception before = withGoalAt({0.2, 0.0});
   AgentPerception after = withGoalAt({9.0, 0.0});
-  EXPECT_DOUBLE_EQ(worth(reward, before, after, 0), -8.8);
+  EXPECT_DOUBLE_EQ(worth(*reward, before, after, 0), -8.8);
   after.goal_number = 1;
-  EXPECT_DOUBLE_EQ(worth(reward, before, after, 0), 0.0);
+  EXPECT_DOUBLE_EQ(worth(*reward, before, after, 0), 0.0);
 }
 
 TEST(ThesisReward, GoalPartIsTheCubeOfTheCosine) {
@@ -79,28 +84,27 @@ TEST(ThesisReward, GoalPartIsTheCubeOfTheCosine) {
 }
 
 TEST(ThesisReward, GoalPartIsDefinedAtTheGoalItself) {
-  const ThesisReward reward = nearestReward(ThesisReward::GoalPart::COSINE_CUBED);
-  EXPECT_EQ(worth(reward, withGoalAt({0.1, 0.0}), withGoalAt({0.0, 0.0}), 0), 1.0);
+  const auto reward = nearestReward("cosine_cubed");
+  EXPECT_EQ(worth(*reward, withGoalAt({0.1, 0.0}), withGoalAt({0.0, 0.0}), 0), 1.0);
 }
 
 TEST(ThesisReward, NearestObstacleCosts80Or08) {
-  const ThesisReward reward = nearestReward(ThesisReward::GoalPart::COSINE_CUBED);
-  const NearestObstacleStates states;
+  const auto reward = nearestReward("cosine_cubed");
   for (int goal = 0; goal < 8; ++goal) {
-    EXPECT_EQ(reward.obstaclePart(states.rowOf({goal, 0, 0})), 0.0);
+    EXPECT_EQ(obstaclePart(*reward, static_cast<Row>(goal)), 0.0);
     for (int sector = 0; sector < 8; ++sector) {
-      EXPECT_DOUBLE_EQ(reward.obstaclePart(states.rowOf({goal, sector, 1})), -80.0);
-      EXPECT_DOUBLE_EQ(reward.obstaclePart(states.rowOf({goal, sector, 2})), -0.8);  // 80 / 10^2
+      EXPECT_DOUBLE_EQ(obstaclePart(*reward, nearestRow(goal, sector, 1)), -80.0);
+      EXPECT_DOUBLE_EQ(obstaclePart(*reward, nearestRow(goal, sector, 2)), -0.8);  // 80 / 10^2
     }
   }
-  EXPECT_EQ(reward.obstaclePart(states.terminal()), 0.0);
+  EXPECT_EQ(obstaclePart(*reward, 136), 0.0);  // the terminal row
 }
 
 TEST(ThesisReward, OccupiedSectorsCost10Or01) {
-  const ThesisReward reward = occupancyReward();
+  const auto reward = occupancyReward();
   const OccupancyStates states;
   const auto part_of = [&](const OccupancyStates::Situation& situation) {
-    return reward.obstaclePart(states.rowOf(situation));
+    return obstaclePart(*reward, states.rowOf(situation));
   };
   EXPECT_EQ(part_of({0, {}}), 0.0);
   EXPECT_EQ(part_of({5, {}}), 0.0);
@@ -109,65 +113,54 @@ TEST(ThesisReward, OccupiedSectorsCost10Or01) {
   EXPECT_DOUBLE_EQ(part_of({3, {1, 2, 0, 1, 0, 2, 2, 0}}), -20.3);
   EXPECT_DOUBLE_EQ(part_of({7, {1, 1, 1, 1, 1, 1, 1, 1}}), -80.0);
   EXPECT_DOUBLE_EQ(part_of({7, {2, 2, 2, 2, 2, 2, 2, 2}}), -0.8);
-  EXPECT_EQ(reward.obstaclePart(states.terminal()), 0.0);
+  EXPECT_EQ(obstaclePart(*reward, states.terminal()), 0.0);
 }
 
 TEST(ThesisReward, WorkedExampleOfSet2) {
   // A disc of radius 0.3 at (0.7, 0): class 1 ahead, class 2 on either side (occupancy_states_test.cpp).
   const OccupancyStates states;
   const PerceptionsBuilder scene = PerceptionsBuilder().agent(0, {5.0, 0.0}).neighbour({0.7, 0.0}, 0.3);
-  EXPECT_DOUBLE_EQ(occupancyReward().obstaclePart(states.rowOf(scene.perception())), -10.2);  // -(10 + 0.1 + 0.1)
+  EXPECT_DOUBLE_EQ(obstaclePart(*occupancyReward(), states.rowOf(scene.perception())), -10.2);  // -(10 + 0.1 + 0.1)
 }
 
 TEST(ThesisReward, IsTheSumOfBothParts) {
-  const NearestObstacleStates nearest;
-  const ThesisReward cosine = nearestReward(ThesisReward::GoalPart::COSINE_CUBED);
-  EXPECT_NEAR(worth(cosine, withGoalAt({9.0, 0.0}), withGoalAt(polar(60.0, 3.0)), nearest.rowOf({1, 2, 2})), -0.675,
+  const auto cosine = nearestReward("cosine_cubed");
+  EXPECT_NEAR(worth(*cosine, withGoalAt({9.0, 0.0}), withGoalAt(polar(60.0, 3.0)), nearestRow(1, 2, 2)), -0.675,
               1e-12);  // 0.125 - 0.8
-  const ThesisReward distance = nearestReward(ThesisReward::GoalPart::DISTANCE_GAINED);
-  EXPECT_NEAR(worth(distance, withGoalAt({3.0, 4.0}), withGoalAt({4.5, 0.0}), nearest.rowOf({0, 0, 1})), -79.5, 1e-12);
+  const auto distance = nearestReward("distance_gained");
+  EXPECT_NEAR(worth(*distance, withGoalAt({3.0, 4.0}), withGoalAt({4.5, 0.0}), nearestRow(0, 0, 1)), -79.5, 1e-12);
   const OccupancyStates occupancy;
-  EXPECT_NEAR(worth(occupancyReward(), withGoalAt({9.0, 0.0}), withGoalAt({3.0, 0.0}), occupancy.rowOf({0, {1, 2}})),
+  EXPECT_NEAR(worth(*occupancyReward(), withGoalAt({9.0, 0.0}), withGoalAt({3.0, 0.0}), occupancy.rowOf({0, {1, 2}})),
               -9.1,
               1e-12);  // 1 - 10 - 0.1
 }
 
 TEST(ThesisReward, ArrivalGives100WithAnyObstacles) {
-  for (const ThesisReward::GoalPart goal :
-       {ThesisReward::GoalPart::DISTANCE_GAINED, ThesisReward::GoalPart::COSINE_CUBED}) {
+  for (const std::string goal : {"distance_gained", "cosine_cubed"}) {
     AgentPerception after = withGoalAt({-0.1, 0.2});
     after.arrived = true;
-    const Row near_row = NearestObstacleStates().rowOf({0, 0, 1});
-    EXPECT_EQ(worth(nearestReward(goal), withGoalAt({0.3, 0.0}), after, near_row), 100.0);
+    const Row near_row = nearestRow(0, 0, 1);
+    EXPECT_EQ(worth(*nearestReward(goal), withGoalAt({0.3, 0.0}), after, near_row), 100.0);
   }
 }
 
 TEST(ThesisReward, IncludesTheCostOfStaying) {
-  const NearestObstacleStates states;
-  for (const ThesisReward::GoalPart goal :
-       {ThesisReward::GoalPart::DISTANCE_GAINED, ThesisReward::GoalPart::COSINE_CUBED}) {
-    ThesisReward::Parameters parameters;
-    parameters.goal = goal;
-    parameters.stay_cost = 0.25;
-    const ThesisReward reward(parameters, states, states.rowCount());
-    const double goal_part = goal == ThesisReward::GoalPart::COSINE_CUBED ? 1.0 : 0.0;
+  for (const std::string goal : {"distance_gained", "cosine_cubed"}) {
+    const auto reward = make("{goal: " + goal + ", obstacle_cost: 80, stay_cost: 0.25}");
+    const double goal_part = goal == "cosine_cubed" ? 1.0 : 0.0;
     AgentPerception after = withGoalAt({3.0, 0.0});
     after.velocity = Vector2::Zero();
-    EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), goal_part - 0.25);
-    const Row seen = states.rowOf({0, 0, 2});
-    EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, seen), goal_part - 0.8 - 0.25);
+    EXPECT_DOUBLE_EQ(worth(*reward, withGoalAt({3.0, 0.0}), after, 0), goal_part - 0.25);
+    const Row seen = nearestRow(0, 0, 2);
+    EXPECT_DOUBLE_EQ(worth(*reward, withGoalAt({3.0, 0.0}), after, seen), goal_part - 0.8 - 0.25);
     after.velocity = {0.0, 1e-200};  // however slowly
-    EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), goal_part);
+    EXPECT_DOUBLE_EQ(worth(*reward, withGoalAt({3.0, 0.0}), after, 0), goal_part);
     after.velocity = {-0.3, 0.0};
-    EXPECT_DOUBLE_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), goal_part);
+    EXPECT_DOUBLE_EQ(worth(*reward, withGoalAt({3.0, 0.0}), after, 0), goal_part);
     after.velocity = Vector2::Zero();
     after.arrived = true;
-    EXPECT_EQ(worth(reward, withGoalAt({3.0, 0.0}), after, 0), 100.0);
+    EXPECT_EQ(worth(*reward, withGoalAt({3.0, 0.0}), after, 0), 100.0);
   }
-}
-
-std::shared_ptr<const Reward> make(const std::string& yaml) {
-  return makeReward(YAML::Load(yaml), {"file.yaml", 0, "reward"}, NearestObstacleStates());
 }
 
 std::string errorIn(const std::string& yaml) {
@@ -175,15 +168,13 @@ std::string errorIn(const std::string& yaml) {
 }
 
 TEST(MakeReward, ReadsAllParameters) {
-  const auto made = make("{goal: distance_gained, arrival: 50, obstacle_cost: 8}");
-  const Reward& reward = *made;
-  EXPECT_EQ(reward.spec(), "{goal: distance_gained, arrival: 50, obstacle_cost: 8}");
-  EXPECT_DOUBLE_EQ(
-      worth(reward, withGoalAt({3.0, 4.0}), withGoalAt({3.0, 0.0}), NearestObstacleStates().rowOf({0, 0, 2})),
-      1.92);  // 2 - 8 / 10^2
+  const auto reward = make("{goal: distance_gained, arrival: 50, obstacle_cost: 8}");
+  EXPECT_EQ(reward->spec(), "{goal: distance_gained, arrival: 50, obstacle_cost: 8}");
+  EXPECT_DOUBLE_EQ(worth(*reward, withGoalAt({3.0, 4.0}), withGoalAt({3.0, 0.0}), nearestRow(0, 0, 2)),
+                   1.92);  // 2 - 8 / 10^2
   AgentPerception after;
   after.arrived = true;
-  EXPECT_EQ(worth(reward, withGoalAt({0.1, 0.0}), after, 0), 50.0);
+  EXPECT_EQ(worth(*reward, withGoalAt({0.1, 0.0}), after, 0), 50.0);
 }
 
 TEST(MakeReward, UsesTheArrivalRewardOfTheThesisByDefault) {

@@ -1,14 +1,14 @@
-"""Pages on learning: required keys of a training configuration, the recommended configuration, types of models."""
+"""Pages on learning: required keys of a training configuration, and the recommended configuration."""
 import csv
 import re
 import subprocess
 
 from learning_files import QTableFile
-from programs import assert_says, page_examples, page_text
+from programs import assert_says, page_examples
 
 
 class LearningPageTest:
-    """docs/learning.md and docs/state_sets.md."""
+    """docs/learning.md."""
 
     def test_agents_arrive_with_the_recommended_configuration(self, runner):
         """The page states 100 %; the naive training configuration is only read."""
@@ -27,11 +27,6 @@ class LearningPageTest:
         text = page_examples('learning.md')['least.yaml']
         runner.tool('train', runner.write('least.yaml', text), '--output', runner.path('table.txt'), '--episodes', 1)
         assert QTableFile(runner.path('table.txt')).header['decisions'] > 0
-
-    def test_table_of_types_is_that_of_the_program(self, runner):
-        table = runner.tool('train', '--list-types')
-        assert '| `state_set` | `occupancy` |' in table
-        assert table in page_text('state_sets.md'), 'paste the output of train --list-types into docs/state_sets.md'
 
     def test_all_of_its_keys_are_required(self, runner):
         text = page_examples('learning.md')['least.yaml']

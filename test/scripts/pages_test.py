@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 from crowd_metrics.program import main as write_metrics
-from programs import ANTICIPATION_TABLE, PACKAGE, in_package, page_examples, page_text, read_text
+from programs import ANTICIPATION_TABLE, PACKAGE, in_package, page_examples, page_text, read_text, tools_folder
 
 LONGEST = 250  # [lines] of a page in docs/
 LONGEST_OF = {'architecture.md': 100}  # [lines]
@@ -136,6 +136,16 @@ def documented_columns(page, title):
     """Returns the names in the first column of the first table with this title on a page."""
     table = re.search(rf'^\| {title} \|.*\n\|[-| ]*\n((?:\|.*\n)+)', page, re.MULTILINE)[1]
     return [name for line in table.splitlines() for name in re.findall(r'`(\w+)`', line.split('|')[1])]
+
+
+class PrintedTablesTest:
+    """Tables that programs print."""
+
+    def test_they_are_those_of_the_programs(self, runner):
+        page = runner.write('state_sets.md', page_text('state_sets.md').replace('| `occupancy` |', '| `old` |', 1))
+        subprocess.run([in_package('scripts', 'fill_pages'), '--docs', os.path.dirname(page), '--tools',
+                        tools_folder()], check=True)
+        assert read_text(page) == page_text('state_sets.md'), 'scripts/fill_pages writes the tables of docs/ again'
 
 
 class RegistrationTest:

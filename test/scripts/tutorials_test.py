@@ -40,14 +40,14 @@ class ScenarioTest:
 
 
 class StateSetTest:
-    """Your first state set. The core is linked again with the two files that the tutorial changes, and takes the place
-    of the library of the programs."""
+    """Your first state set. The core is linked again with the file that the tutorial writes and the one that it
+    changes, and takes the place of the library of the programs."""
 
     def test_all_steps(self, terminal, request):
         if not request.config.getoption('--build'):
             pytest.skip('needs --build')
-        scripts, *programs = STATE_SET
-        assert (scripts, programs.pop()) == ('scripts/build', 'rosrun social_crowd train --list-types')
+        build, *programs, fill = STATE_SET
+        assert (build, fill) == ('scripts/build', 'scripts/fill_pages')
         terminal.environment['LD_PRELOAD'] = self.library(terminal, request.config.getoption('--build'))
         trained, evaluated = map(terminal.run, programs)
         assert_says(trained, '72 of 72 rows visited')
@@ -58,11 +58,8 @@ class StateSetTest:
 
     def library(self, terminal, build):
         """Makes the core with the new state set. Returns its file."""
-        headers = pathlib.Path(terminal.folder, 'new', 'learning', 'states')
-        headers.mkdir(parents=True)
-        os.rename(terminal.path('near_body_states.h'), headers / 'near_body_states.h')
         terminal.write('state_set.cpp', changed_list())
-        folders = ['new', in_package('src'), in_package('include')]
+        folders = [in_package('src'), in_package('include')]
         flags = ['-std=c++17', '-O1', '-Wall', '-Wextra', '-Werror', '-fPIC', *(f'-I{folder}' for folder in folders),
                  '-isystem', '/usr/include/eigen3']
         for name in ('near_body_states', 'state_set'):
@@ -75,9 +72,9 @@ class StateSetTest:
 
 def changed_list():
     """Returns state_set.cpp with the lines of the tutorial."""
-    include, entry = re.search(r'`TYPES`\.\n\n```cpp\n(.*)\n(.*)\n```', PAGE).groups()
+    declaration, entry = re.search(r'`TYPES`\.\n\n```cpp\n(.*)\n(.*)\n```', PAGE).groups()
     text = read_text(in_package('src', 'learning', 'states', 'state_set.cpp'))
-    text = text.replace('\nnamespace', f'{include}\n\nnamespace', 1)
+    text = text.replace('\nStateSetType', f'\n{declaration}\nStateSetType', 1)
     return text.replace('TYPES = {', f'TYPES = {{\n{entry}', 1)
 
 

@@ -1,16 +1,15 @@
 #include "learning/actions/action_set.h"
 
-#include "learning/actions/goal_relative_actions.h"
-#include "learning/actions/kings_moves.h"
-
 namespace crowd {
+
+// Each is in the file of its name.
+ActionSetType kingsMoves();
+ActionSetType goalRelativeActions();
 
 const std::vector<ActionSetType>& actionSetTypes() {
   static const std::vector<ActionSetType> TYPES = {
-      {KingsMoves::TYPE, "the thesis's moves: a rotation by a multiple of an angle, then a step at full speed",
-       readKingsMoves},
-      {GoalRelativeActions::TYPE, "headings relative to the goal's bearing, limited by the separation rule",
-       readGoalRelativeActions},
+      kingsMoves(),
+      goalRelativeActions(),
   };
   return TYPES;
 }

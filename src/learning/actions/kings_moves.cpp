@@ -1,6 +1,37 @@
-#include "learning/actions/kings_moves.h"
+#include <vector>
+
+#include "learning/actions/action_set.h"
+#include "learning/directions.h"
 
 namespace crowd {
+namespace {
+
+/// The action set of the thesis (3.2.2.2): turn by a multiple of 360 degrees / rotations and walk at full speed.
+/// With the thesis's 8 rotations these are a chess king's moves: 0, 45, ... 315 degrees, in an order of our choice.
+/// Optionally, the last action is to stay (thesis 5.2): neither turn nor move. With absolute directions the agent turns
+/// to that multiple in `map`.
+class KingsMoves : public ActionSet {
+ public:
+  static constexpr const char* TYPE = "kings_moves";
+  static std::shared_ptr<const ActionSet> read(YamlMap& map);
+
+  KingsMoves(int rotations, bool stay, Directions directions);
+
+  Action size() const override { return static_cast<Action>(relative_actions_.size()); }
+  void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
+  bool hasConstantMoves() const override { return directions_ == Directions::RELATIVE; }
+  /// Returns the exact multiple of 360 degrees / rotations, less the heading with absolute directions.
+  RelativeAction relativeAction(const Perception& seen, const MoveBlock* moves, Action action) const override;
+  Action mirrored(Action action) const override { return turns(action) ? (rotations_ - action) % rotations_ : action; }
+  std::string spec() const override;
+
+ private:
+  bool turns(Action action) const { return action < rotations_; }
+
+  Action rotations_;
+  Directions directions_;
+  std::vector<RelativeAction> relative_actions_;
+};
 
 KingsMoves::KingsMoves(int rotations, bool stay, Directions directions)
     : rotations_(static_cast<Action>(rotations)), directions_(directions) {
@@ -31,10 +62,17 @@ std::string KingsMoves::spec() const {
          (directions_ == Directions::ABSOLUTE ? ", directions: absolute}" : "}");
 }
 
-std::shared_ptr<const ActionSet> readKingsMoves(YamlMap& map) {
+std::shared_ptr<const ActionSet> KingsMoves::read(YamlMap& map) {
   map.allow({"type", "rotations", "stay", "directions"});
-  const auto rotations = static_cast<int>(map.whole("rotations", 2, 360, KingsMoves::DEFAULT_ROTATIONS));
+  const auto rotations = static_cast<int>(map.whole("rotations", 2, 360, 8));
   return std::make_shared<KingsMoves>(rotations, map.flag("stay", false), DIRECTIONS.read(map, Directions::RELATIVE));
+}
+
+}  // namespace
+
+ActionSetType kingsMoves() {
+  return {KingsMoves::TYPE, "the thesis's moves: a rotation by a multiple of an angle, then a step at full speed",
+          KingsMoves::read};
 }
 
 }  // namespace crowd

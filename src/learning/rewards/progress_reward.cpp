@@ -1,10 +1,9 @@
-#include "learning/rewards/progress_reward.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "avoidance/time_to_collision.h"
 #include "common/text/numbers.h"
+#include "learning/rewards/reward.h"
 
 namespace crowd {
 namespace {
@@ -30,7 +29,33 @@ bool touchesAny(const NeighbourSpan& neighbours, double radius) {
   return false;
 }
 
-}  // namespace
+/// Progress towards the goal, less the time that has passed, less penalties on turning, collision courses,
+/// standing still and contact. Unit: ticks; progress is the decrease of the distance to the goal divided by the path of
+/// one tick at maximum speed. A tick straight to the goal at full speed without a collision course has the reward 0.
+/// Source: docs/state_sets.md.
+class ProgressReward : public Reward {
+ public:
+  static constexpr const char* TYPE = "progress";
+  static std::shared_ptr<const Reward> read(YamlMap& map, const StateSet& state_set);
+
+  struct Parameters {
+    double turn_penalty = 0.6;      ///< per angle that the heading turns [ticks/rad]
+    double conflict_penalty = 1.0;  ///< of a collision course, if contact is immediate; decreases linearly to 0 [ticks]
+    double conflict_time = 4.0;     ///< time to contact from which there is no penalty [s]
+    double rest_penalty = 0.5;      ///< of standing still; decreases linearly to 0 at maximum speed [ticks]
+    double contact_penalty = 20.0;  ///< of an overlap with a neighbour, whatever their number [ticks]
+  };
+
+  explicit ProgressReward(const Parameters& parameters) : parameters_(parameters) {}
+
+  double operator()(const AgentPerception& before, const Perception& after, Row row) const override;
+  std::string spec() const override;
+
+ private:
+  double conflictPart(const Perception& after) const;
+
+  Parameters parameters_;
+};
 
 double ProgressReward::conflictPart(const Perception& after) const {
   const double time = timeToCollision(after, after.self.velocity);
@@ -57,9 +82,9 @@ std::string ProgressReward::spec() const {
          ", contact_penalty: " + toText(parameters_.contact_penalty) + "}";
 }
 
-std::shared_ptr<const Reward> readProgressReward(YamlMap& map, const StateSet& /*state_set*/) {
+std::shared_ptr<const Reward> ProgressReward::read(YamlMap& map, const StateSet& /*state_set*/) {
   map.allow({"type", "turn_penalty", "conflict_penalty", "conflict_time", "rest_penalty", "contact_penalty"});
-  ProgressReward::Parameters parameters;
+  Parameters parameters;
   const auto read_penalty = [&](const char* key, double& penalty) {
     penalty = map.number(key, NumberRule::NOT_NEGATIVE, penalty);
   };
@@ -69,6 +94,13 @@ std::shared_ptr<const Reward> readProgressReward(YamlMap& map, const StateSet& /
   read_penalty("rest_penalty", parameters.rest_penalty);
   read_penalty("contact_penalty", parameters.contact_penalty);
   return std::make_shared<ProgressReward>(parameters);
+}
+
+}  // namespace
+
+RewardType progressReward() {
+  return {ProgressReward::TYPE, "progress in ticks, less penalties on turning, collision courses, standing and contact",
+          ProgressReward::read};
 }
 
 }  // namespace crowd

@@ -15,8 +15,8 @@ namespace crowd {
 /// @brief The reward of a decision, computed from what the agent perceives one tick later. Immutable: any number of
 /// learners and threads may share one object and call it concurrently.
 ///
-/// Unit: that of the Q-values, which each reward defines: ThesisReward has none, ProgressReward counts
-/// ticks. Penalties are given as numbers from 0 up and are subtracted.
+/// Unit: that of the Q-values, which each reward defines: `thesis` has none, `progress` counts ticks. Penalties are
+/// given as numbers from 0 up and are subtracted.
 ///
 /// Call contract: in training mode the learner calls it once for each decision that was carried out, at the next tick,
 /// on the thread that calls Learner::decide(); on arrival for the last time in the episode. Decisions that were not

@@ -7,14 +7,14 @@
 
 namespace crowd {
 
-/// @brief Distance classes that the rows of a state set encode. Implemented by state sets that ThesisReward can be
-/// combined with.
+/// @brief Distance classes that the rows of a state set encode. Implemented by state sets that the reward of the thesis
+/// can be combined with.
 class RowDistanceClasses {
  public:
   virtual ~RowDistanceClasses() = default;
   /// @brief Returns the distance classes of a row, one per obstacle or sector that it distinguishes: 0 (empty) to
   /// DistanceClasses::COUNT; zeros may be omitted. Empty if the row encodes no obstacle, and for a terminal row.
-  /// ThesisReward calls it for every row when it is created, and sums the penalties of the classes.
+  /// The reward calls it for every row when it is created, and sums the penalties of the classes.
   virtual std::vector<int> distanceClasses(Row row) const = 0;
 };
 

@@ -187,8 +187,12 @@ OccupancyStates::Parameters readOccupancyParameters(YamlMap& map) {
   return parameters;
 }
 
-std::shared_ptr<const StateSet> readOccupancyStates(YamlMap& map, const ActionSet& /*action_set*/) {
+std::shared_ptr<const StateSet> OccupancyStates::read(YamlMap& map, const ActionSet& /*action_set*/) {
   return std::make_shared<OccupancyStates>(readOccupancyParameters(map));
+}
+
+StateSetType occupancyStates() {
+  return {OccupancyStates::TYPE, "thesis set 2: goal sector; distance class of each sector", OccupancyStates::read};
 }
 
 }  // namespace crowd

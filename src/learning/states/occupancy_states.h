@@ -26,6 +26,8 @@ namespace crowd {
 class OccupancyStates : public SectorStates, public ExplainedRows {
  public:
   static constexpr const char* TYPE = "occupancy";
+  /// @brief Reads a map of the keys of readOccupancyParameters(). @throws InputError
+  static std::shared_ptr<const StateSet> read(YamlMap& map, const ActionSet& action_set);
   static constexpr int MAX_SECTORS = 12;  // a table of 3^12 * 12 rows is the largest practical one
 
   struct Parameters {
@@ -97,8 +99,5 @@ class OccupancyStates : public SectorStates, public ExplainedRows {
 /// @brief Reads the keys sectors, obstacle_sectors, collision_radius and vision_radius, all optional. @throws
 /// InputError
 OccupancyStates::Parameters readOccupancyParameters(YamlMap& map);
-
-/// @brief Reads a map of these keys. @throws InputError
-std::shared_ptr<const StateSet> readOccupancyStates(YamlMap& map, const ActionSet& action_set);
 
 }  // namespace crowd

@@ -11,7 +11,7 @@
 namespace crowd {
 
 /// @brief Base of state sets that divide the surroundings into sectors, as those of the thesis: one row per perception,
-/// two distance classes, and a terminal row. They can be combined with ThesisReward and drawn.
+/// two distance classes, and a terminal row. They can be combined with the reward of the thesis and drawn.
 class SectorStates : public StateSet, public RowDistanceClasses, public SectorPicture {
  public:
   explicit SectorStates(const DistanceClasses& distances) : distances_(distances) {}
