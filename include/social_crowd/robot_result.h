@@ -83,7 +83,7 @@ struct RobotGoalResult {
 /// The distance to a person is that from the person's centre to the robot's footprint; people are the agents on
 /// their way, those who stay, and recorded people. 0.5 m, 10 s and 0.05 m/s are defaults of RobotMetricOptions.
 ///
-/// scripts/write_metrics writes the lists that visit the fields, the message, and the units and new rows of
+/// scripts/generate writes the lists that visit the fields, the message, and the units and new rows of
 /// docs/metrics.md, from the comments here.
 struct RobotResult {
   static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();

@@ -7,7 +7,8 @@ import shutil
 import subprocess
 
 import pytest
-from crowd_metrics.program import main as write_metrics
+from crowd_drawing.errors import InputError
+from crowd_generated.program import main as generate
 from programs import ANTICIPATION_TABLE, PACKAGE, in_package, page_examples, page_text, read_text, tools_folder
 
 LONGEST = 250  # [lines] of a page in docs/
@@ -138,14 +139,21 @@ def documented_columns(page, title):
     return [name for line in table.splitlines() for name in re.findall(r'`(\w+)`', line.split('|')[1])]
 
 
-class PrintedTablesTest:
-    """Tables that programs print."""
+class TypesTableTest:
+    """The table of state sets, action sets and rewards."""
 
-    def test_they_are_those_of_the_programs(self, runner):
-        page = runner.write('state_sets.md', page_text('state_sets.md').replace('| `occupancy` |', '| `old` |', 1))
-        subprocess.run([in_package('scripts', 'fill_pages'), '--docs', os.path.dirname(page), '--tools',
-                        tools_folder()], check=True)
-        assert read_text(page) == page_text('state_sets.md'), 'scripts/fill_pages writes the tables of docs/ again'
+    def test_it_is_that_of_the_program(self):
+        generate(['types', '--check', '--tools', tools_folder()])
+
+    def test_an_old_one(self, tmp_path):
+        page = tmp_path / 'docs' / 'state_sets.md'
+        page.parent.mkdir()
+        page.write_text(page_text('state_sets.md').replace('| `occupancy` |', '| `old` |', 1), encoding='utf-8')
+        words = ['types', '--package', str(tmp_path), '--tools', tools_folder()]
+        with pytest.raises(InputError, match='scripts/generate types'):
+            generate([*words, '--check'])
+        generate(words)
+        assert read_text(page) == page_text('state_sets.md')
 
 
 class RegistrationTest:
@@ -178,8 +186,8 @@ class ColumnsTest:
         assert columns[3:] == [line.split(',')[0] for line in fields]
 
     def test_what_fields_of_results_say(self):
-        """Lists, messages and docs/metrics.md are those of scripts/write_metrics."""
-        subprocess.run([in_package('scripts', 'write_metrics'), '--check'], check=True)
+        """Lists, messages and docs/metrics.md are those of scripts/generate."""
+        generate(['metrics', '--check'])
 
     def test_another_field(self, tmp_path):
         """A new field of a robot's result gets its place in all files; one that is no longer there leaves them."""
@@ -191,7 +199,7 @@ class ColumnsTest:
         text = re.sub(r'.*double max_jerk .*\n', '', text)
         text = re.sub(r'(  double path_length = 0.0;.*\n)', rf'\1{new}', text)
         header.write_text(text, encoding='utf-8')
-        write_metrics(['--package', str(tmp_path)])
+        generate(['metrics', '--package', str(tmp_path)])
         visits = '    visit(MetricName{"path_length", "m"}, results.path_length...);\n'
         assert visits + visits.replace('path_length', 'mean_noise').replace('"m"', '"dB"') in read_text(header)
         message = read_text(tmp_path / 'msg' / 'RobotResult.msg').splitlines()

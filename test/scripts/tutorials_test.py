@@ -47,7 +47,7 @@ class StateSetTest:
         if not request.config.getoption('--build'):
             pytest.skip('needs --build')
         build, *programs, fill = STATE_SET
-        assert (build, fill) == ('scripts/build', 'scripts/fill_pages')
+        assert (build, fill) == ('scripts/build', 'scripts/generate types')
         terminal.environment['LD_PRELOAD'] = self.library(terminal, request.config.getoption('--build'))
         trained, evaluated = map(terminal.run, programs)
         assert_says(trained, '72 of 72 rows visited')

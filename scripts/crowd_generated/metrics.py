@@ -3,15 +3,7 @@ import re
 import typing
 
 from crowd_drawing.errors import InputError
-from crowd_experiments.arguments import add_file, parser_of
-from crowd_experiments.tools import REPOSITORY
 
-DESCRIPTION = '''Writes what follows from the fields of results in include/social_crowd: the lists that
-visit the fields of robots, the messages, and the rows of docs/metrics.md. The comment of a field, with its
-unit in brackets at the end, becomes the comment in the message, and the text of a new row; of other rows
-the units are written, and the texts stay.'''
-EXAMPLE = '''example:
-  scripts/write_metrics && git diff'''
 HEADERS = {'robot_result.h': ('RobotInput', 'RobotGoalResult', 'RobotResult'), 'results.h': ('AgentResult',)}
 MESSAGES = {'RobotResult': ('RobotResult', 'RobotInput'), 'RobotGoalResult': ('RobotGoalResult',),
             'AgentResult': ('AgentResult',)}
@@ -128,17 +120,3 @@ def written(package):
     file = package / 'docs' / 'metrics.md'
     texts[file] = page_of(file.read_text(encoding='utf-8'), fields)
     return texts
-
-
-def main(words=None):
-    parser = parser_of('write_metrics', DESCRIPTION, EXAMPLE)
-    add_file(parser, '--package', metavar='FOLDER', default=REPOSITORY, help='the package (default: this one)')
-    parser.add_argument('--check', action='store_true', help='write nothing; it is an error if a file would change')
-    arguments = parser.parse_args(words)
-    for file, text in written(arguments.package).items():
-        if text == file.read_text(encoding='utf-8'):
-            continue
-        if arguments.check:
-            raise InputError(f'{file} does not agree with the fields of results: call scripts/write_metrics')
-        file.write_text(text, encoding='utf-8')
-        print(file)
