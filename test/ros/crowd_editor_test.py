@@ -4,7 +4,7 @@ import rospy
 import support
 from controlling import ControllerTestCase
 from geometry_msgs.msg import Point, Pose, PoseStamped
-from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerUpdate
+from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerInit, InteractiveMarkerUpdate
 
 SCENE = """
 name: scene
@@ -26,21 +26,20 @@ class CrowdEditorTest(ControllerTestCase):
         self.start_all(SCENE)
         self.start_node('crowd_markers', 'crowd_markers', {})
         self.start_node('crowd_editor', 'crowd_editor', parameters)
-        self.updates = self.listen('crowd_editor/update', InteractiveMarkerUpdate)
+        self.lists = self.listen('crowd_editor/update_full', InteractiveMarkerInit)
+        self.updates = self.listen('crowd_editor/update', InteractiveMarkerUpdate).wait_connected()
         self.user = rospy.Publisher(f'{self.namespace}/crowd_editor/feedback', InteractiveMarkerFeedback, queue_size=10)
         support.wait_for(self.user.get_num_connections, 'the editor')
 
-    def names(self):
-        """Returns the names of the markers that RViz has now."""
-        names = set()
-        for update in list(self.updates.messages):
-            names -= set(update.erases)
-            names |= {marker.name for marker in update.markers}
-        return names
+    def places(self):
+        """Returns {name: place} of the markers that RViz has now. A list of all of them is latched and follows each
+        update, so none is missed by a listener that connects late."""
+        markers = [marker for each in self.lists.messages[-1:] for marker in each.markers]
+        return {marker.name: (marker.pose.position.x, marker.pose.position.y) for marker in markers}
 
     def wait_names(self, *names):
         """Waits until RViz has exactly these markers."""
-        support.wait_for(lambda: self.names() == set(names), f'the markers {names}')
+        support.wait_for(lambda: self.places().keys() == set(names), f'the markers {names}')
 
     def send(self, marker, event, x=0.0, y=0.0, entry=0):
         """Sends what RViz sends when a user does something with a marker."""
@@ -55,17 +54,13 @@ class CrowdEditorTest(ControllerTestCase):
 
     def pose_of(self, marker):
         """Returns where RViz shows a marker."""
-        place = None
-        for update in list(self.updates.messages):
-            for one in update.markers + update.poses:
-                if one.name == marker:
-                    place = (one.pose.position.x, one.pose.position.y)
-        return place
+        return self.places().get(marker)
 
     def moves_of(self, marker):
         """Returns how often a marker was moved, or drawn again, since RViz has it."""
-        shown = [one.name for update in list(self.updates.messages) for one in update.markers + update.poses]
-        return shown.count(marker) - 1
+        first = next(each.seq_num for each in self.lists.messages if marker in [one.name for one in each.markers])
+        later = [update for update in list(self.updates.messages) if update.seq_num > first]
+        return [one.name for update in later for one in update.markers + update.poses].count(marker)
 
     def wait_state(self, fits, what):
         """Walks until the state meets the condition. Returns it."""
