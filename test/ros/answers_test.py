@@ -13,7 +13,7 @@ class WrongAnswersTest(AbsenceTestCase):
 
     def check(self, wrong, count, after=False):
         """Walks an episode without and one with wrong answers, and checks how many are dropped per tick."""
-        self.start_quiet(seconds=3, paused=True, trajectories=self.path('ros'))
+        self.start_quiet(seconds=3, paused=True, trajectories=self.path('ros'), answer_deadline=60.0)
         answers = Answers(self)
         self.step(30)
         # Not in the last tick, because its answers might arrive after the end of the episode.
@@ -154,7 +154,7 @@ class TwoLearnersTest(AbsenceTestCase):
                          '~agents')
 
     def test_no_warning_for_learners_with_different_agents(self):
-        self.start_quiet(seconds=3, paused=True)
+        self.start_quiet(seconds=3, paused=True, answer_deadline=60.0)
         self.start_pair()
         self.step(30)
         self.assertEqual(self.results.wait_at(0, 30).dropped_answers, 0)

@@ -44,7 +44,7 @@ class ControllerStatusTest(ControllerTestCase):
         self.assertTrue(late.wait().paused)
 
     def test_status_names_agents_without_answers(self):
-        self.start_all(answer_deadline=0.2, start_deadline=1.0)
+        self.start_all(answer_deadline=0.2)
         self.step()
         self.assertEqual(self.newest(lambda status: status.tick == 1, 'a tick').unanswered, ())
         next(process for process in self.processes if process.name == 'learner').kill()

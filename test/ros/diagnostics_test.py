@@ -113,9 +113,9 @@ class WalkTest(DiagnosticsTestCase):
 
         def is_warned():
             sender.publish(Perceptions(vision_radius=1.0))
-            return self.newest('learner: decisions').level == WARN
+            status = self.newest('learner: decisions')
+            return status.level == WARN and 'less than the model needs' in status.message
         support.wait_for(is_warned, 'a warning')
-        self.wait('learner: decisions', WARN, 'less than the model needs')
         sender.unregister()
         self.wait('learner: decisions', OK, 'no perceptions for ')
 

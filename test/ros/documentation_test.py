@@ -41,7 +41,9 @@ class OwnLearnerPageTest(support.CrowdTestCase):
     def arrivals(self, episodes):
         """Returns the number of arrivals in each episode; no answer may be missed."""
         results = self.listen('episode_results', EpisodeResult)
-        self.start_controller(self.write('pair.yaml', PAIR), episodes=episodes)
+        self.start_controller(self.write('pair.yaml', PAIR), episodes=episodes, paused=True)
+        results.wait_connected()
+        self.succeed('crowd_controller/pause', data=False)
         results.wait(lambda result: result.episode == episodes - 1, 'of the last episode')
         self.assertEqual({result.missed_answers for result in results.messages}, {0})
         return [[agent.arrived for agent in result.agents] for result in results.messages]

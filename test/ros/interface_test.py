@@ -11,6 +11,7 @@ import support
 PAGES = {'crowd_controller': 'ros.md', 'learner': 'ros.md', 'crowd_markers': 'ros.md', 'crowd_editor': 'rviz.md',
          'robot_controller': 'ros.md'}
 TITLES = {'crowd_editor': 'Editor'}  # of sections, if not the name of the node
+TABLES = 'publishes', 'subscribes to', 'service'  # first columns on the pages
 OF_ALL_NODES = {'get_loggers', 'set_logger_level'}  # services that roscpp adds
 SHARED = {'/rosout', '/clock'}  # roscpp adds them
 # Relative topics of a robot in its name space, which are in docs/robots.md.
@@ -122,6 +123,17 @@ class GraphTest(support.CrowdTestCase):
         support.wait_for(lambda: all(self.topics(kind, node) for kind in (0, 1) for node in PAGES) and
                          {'perceptions', 'decision_values'} <= set(self.topics(1, 'crowd_markers')) and
                          'chosen_agent' in self.topics(1, 'learner'), 'all nodes')
+
+        # A node registers one name after the other.
+        support.wait_for(lambda: all(set(documented.typed(text_of(node), title)) <= self.names(kind, node)
+                                     for node in PAGES for kind, title in enumerate(TABLES)), 'all names')
+
+    def names(self, kind, node):
+        """Returns the topics that a node publishes or subscribes to, or its services."""
+        if kind < 2:
+            return set(self.topics(kind, node))
+        prefix = f'{self.namespace}/{node}/'
+        return {f'~{name[len(prefix):]}' for name in rosservice.get_service_list(node=prefix[:-1])}
 
     def topics(self, kind, node):
         """Returns {topic: type} that a node publishes (kind 0) or subscribes to (kind 1); names relative to the test.

@@ -81,11 +81,18 @@ class DemoTest(LaunchTestCase):
         self.start_learner('my_learner', agents=[1, 4], q_table=support.ANTICIPATION_TABLE)
         for given in ({}, {'learners': 'per_agent'}):
             status = self.listen('learner_status', LearnerStatus)
-            launched = self.demo(agents='[0,2,3,5]', episodes=1, **given)
+            launched = self.demo(agents='[0,2,3,5]', episodes=1, paused='true', **given)
+
+            def served():
+                return {agent for message in list(status.messages) if 'my_learner' not in message.node
+                        for agent in message.agents}
+
+            # While it is paused: afterwards the learners end.
+            support.wait_for(lambda: served() == {0, 2, 3, 5}, 'the status of the learners')
+            self.succeed('crowd_controller/pause', data=False)
             self.assert_ends_well(launched)
             self.assert_says(launched.output(), '6 of 6 agents arrived', ' 0 answers missed')
-            served = [set(message.agents) for message in status.messages if 'my_learner' not in message.node]
-            self.assertEqual(set.union(*served), {0, 2, 3, 5})
+            self.assertEqual(served(), {0, 2, 3, 5})
 
     def test_passes_on_share_to_the_learner(self):
         self.assert_ends_with(self.demo(on_share='add'), '~on_share', "'add'")

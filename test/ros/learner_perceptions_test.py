@@ -60,7 +60,7 @@ class PerceptionsTest(LearnerTestCase):
     def test_invalid_perceptions_are_dropped_with_a_warning(self):
         log = self.listen('/rosout', Log)
         self.start_one()
-        log.wait_connected()
+        log.wait_served_by(f'{self.namespace}/learner')
         before = self.perceiver.ask(all_situations())
         for message in self.senseless():
             self.perceiver.tell(message)

@@ -59,8 +59,9 @@ class Perceiver:
         self.status = rospy.Subscriber(f'{test.namespace}/learner_status', LearnerStatus, self.note_status)
         test.addCleanup(self.status.unregister)
         self.actions = test.listen('actions', RelativeActions)
-        support.wait_for(lambda: self.connections() >= learners and
-                         self.actions.subscriber.get_num_connections() >= learners, f'{learners} learners to connect')
+        support.wait_for(lambda: self.connections() >= learners, f'{learners} learners to connect')
+        # An answer at the moment of the connection would come twice, because it is latched.
+        self.actions.wait_connected(learners)
 
     def advertise(self, topic):
         """Publishes perceptions on one more topic."""

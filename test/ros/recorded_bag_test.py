@@ -3,6 +3,7 @@
 import re
 import shlex
 
+import rospy
 import support
 from geometry_msgs.msg import Point
 from launching import LaunchTestCase
@@ -31,6 +32,7 @@ robots:
 GATE = {(18.0, 9.0), (18.0, 11.0)}
 ADDED = {(28.0, 9.0), (28.0, 11.0)}
 TICKS = 30
+STANDS = 2.0  # [s] for which the crowd stands in the bag, so that its picture is drawn when it is replayed
 HEARD = ('agents', 'robots', 'scan', 'walls', 'map', 'scenario')
 
 
@@ -71,8 +73,10 @@ class RecordedBagTest(LaunchTestCase, RecordingTestCase):
         self.step(5)
         begin, end = (Point(*place, 0) for place in sorted(ADDED))
         self.succeed('crowd_controller/add_wall', begin=begin, end=end)
+        rospy.sleep(STANDS)  # with the closed gate
         self.step(TICKS - 5)
         last = states.wait_at(0, TICKS)
+        rospy.sleep(STANDS)
         self.step(1)  # so that the messages of the tick before are in the bag
         self.assertEqual(recorder.stop(), 0)
         self.assertEqual(self.clean_up(), '')

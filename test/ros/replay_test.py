@@ -27,6 +27,8 @@ WALK = 'instance,tick,agent,x,y\n0,0,0,0,0\n0,1,0,0.05,0\n0,1,1,0,1\n0,2,1,0.1,1
 # Frames of 0.4 s; person 40 comes before person 7.
 OBSMAT = ('780 40 8.5 0 3.5 0 0 0\n786 40 9.3 0 3.5 0 0 0\n792 40 10.1 0 3.9 0 0 0\n'
           '786 7 1 0 1 0 0 0\n792 7 1 0 2 0 0 0\n')
+# Person 40 stands at the end for 4 s, so that the last picture is drawn before a launch ends.
+STANDING = OBSMAT + ''.join(f'{792 + 6 * i} 40 10.1 0 3.9 0 0 0\n' for i in range(1, 11))
 
 
 class ReplayTest(LaunchTestCase):
@@ -157,7 +159,7 @@ class ReplayTest(LaunchTestCase):
         """crowd_markers draws the people; without RViz the launch ends with the recording."""
         markers = self.listen('recording/markers', MarkerArray)
         self.states = self.listen('recording/agents', AgentStates)
-        launched = self.launch('replay.launch', trajectories=self.write('obsmat.txt', OBSMAT), paused='true')
+        launched = self.launch('replay.launch', trajectories=self.write('obsmat.txt', STANDING), paused='true')
 
         def has_tip(array):
             points = [point for marker in array.markers if marker.ns == 'paths' for point in marker.points]

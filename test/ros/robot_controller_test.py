@@ -24,7 +24,8 @@ class RobotControllerTest(RobotLaunchTestCase):
     """The example controller."""
 
     def test_crosses_a_hall_with_people(self):
-        launched = self.drive('robot_lab.launch', real_time_factor='fast', episodes=1, seed=3)
+        launched = self.drive('robot_lab.launch', real_time_factor='fast', episodes=1, seed=3,
+                              command_deadline=support.PATIENCE)
         self.assert_ends_well(launched)
         self.wait_until_arrived()
         self.assert_nobody_was_touched()
@@ -44,7 +45,7 @@ class RobotControllerTest(RobotLaunchTestCase):
 
     def test_two_robots_in_namespaces(self):
         launched = self.drive('robot_lab.launch', scenario=self.write('passing.yaml', PASSING), real_time_factor='fast',
-                              episodes=1)
+                              episodes=1, command_deadline=support.PATIENCE)
         self.assert_ends_well(launched)
         self.wait_until_arrived()
         self.assert_nobody_was_touched()

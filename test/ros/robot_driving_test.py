@@ -329,8 +329,9 @@ walls:'''
         scans = self.listen('cart/scan', LaserScan).wait_connected()
         goal = self.listen('cart/goal', PoseStamped).wait()
         self.assertEqual(goal.pose.position.x, 0.0)
-        self.step_robots(['cart', 'tug'], [command(1.0), command(0.5)])
-        self.assertEqual([robot.name for robot in self.states.messages[-1].robots], ['tug', 'cart'])
+        done = self.step_robots(['cart', 'tug'], [command(1.0), command(0.5)])
+        states = self.states.wait_at(done.episode, done.tick)
+        self.assertEqual([robot.name for robot in states.robots], ['tug', 'cart'])
         self.assertAlmostEqual(odometry.wait().pose.pose.position.x, 0.1)
         self.assertEqual(len(scans.wait().ranges), 8)
         for entry, words in (('{name: cart, position: [-3, 4], radius: 0.2, max_speed: 1}', "a robot 'cart' already"),

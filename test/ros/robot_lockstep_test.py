@@ -27,7 +27,7 @@ class RobotLockstepTest(RobotTestCase):
 
         subscriber = rospy.Subscriber(f'{self.namespace}/odom', Odometry, drive, tcp_nodelay=True)
         self.addCleanup(subscriber.unregister)
-        support.wait_for(lambda: subscriber.get_num_connections() > 0, 'odometry')
+        self.listen('odom', Odometry).wait_connected()  # both share a connection
 
     def begin(self, text=None, **parameters):
         """Starts the nodes and an episode in which commands are awaited from the first tick on. Returns a publisher of

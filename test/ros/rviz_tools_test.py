@@ -59,10 +59,17 @@ class ToolsTestCase(ControllerTestCase):
         for jiggle in range(HOVERS):  # a drag of a marker that RViz has not noticed under the mouse turns the view
             self.screen.use('mousemove', x + jiggle % 2, y)
             time.sleep(HOVER)
+            self.wait_frame()
         self.screen.use('mousemove', x, y, 'mousedown', 1)
         for share in (0.25, 0.5, 0.75, 1.0):
             self.screen.use('mousemove', *self.pixel(*(b + share * (e - b) for b, e in zip(begin, end))))
         self.screen.use('mouseup', 1)
+
+    def wait_frame(self):
+        """Waits until RViz has handled the moves of the mouse, and has drawn once more."""
+        self.rviz.ask('pressed', 'rviz::RenderPanel')
+        before = int(self.rviz.ask('frames', ''))
+        support.wait_for(lambda: int(self.rviz.ask('frames', '')) > before, 'a frame of RViz')
 
     def newest(self, fits, what):
         """Waits until the newest state of the agents meets the condition. Returns it."""

@@ -69,10 +69,16 @@ class Listener:
         self.messages = []
         self.subscriber = rospy.Subscriber(topic, message_type, self.messages.append, tcp_nodelay=True)
 
-    def wait_connected(self):
-        """Waits until a publisher sends its messages here. rospy counts connections before that."""
-        wait_for(lambda: self.subscriber.get_num_connections() > 0, f'a publisher of {self.topic}')
-        wait_for(lambda: any(map(self.is_served_by, self.publishers())), f'messages of a publisher of {self.topic}')
+    def wait_connected(self, count=1):
+        """Waits until this number of publishers send their messages here. rospy counts connections before that."""
+        wait_for(lambda: self.subscriber.get_num_connections() >= count, f'{count} publishers of {self.topic}')
+        wait_for(lambda: sum(map(self.is_served_by, self.publishers())) >= count,
+                 f'messages of {count} publishers of {self.topic}')
+        return self
+
+    def wait_served_by(self, node):
+        """Waits until a node sends its messages here, of a topic that others publish, too."""
+        wait_for(lambda: self.is_served_by(node), f'messages of {node} on {self.topic}')
         return self
 
     def publishers(self):

@@ -11,13 +11,16 @@ EPISODES = 12  # so that each of the six documents is walked twice
 class WalkTestCase(support.CrowdTestCase):
     """Walks episodes through ROS and records them."""
 
-    def start_walk(self, scenario=SCENARIO, episodes=EPISODES, seed=5, **parameters):
-        """Starts the controller."""
+    def start_walk(self, scenario=SCENARIO, episodes=EPISODES, seed=5, paused=False, **parameters):
+        """Starts the controller. It walks when its results are heard: all episodes may be over sooner than this test is
+        connected."""
         self.scenario, self.episodes = scenario, episodes
         self.results = self.listen('episode_results', EpisodeResult)
         self.controller = self.start_controller(scenario, episodes=episodes, seed=seed, trajectories=self.path('ros'),
-                                                **parameters)
+                                                paused=True, **parameters)
         self.results.wait_connected()
+        if not paused:
+            self.succeed('crowd_controller/pause', data=False)
 
     def finish_walk(self):
         """Waits for the end of the episodes. Returns the recording. No answer may be missed or dropped."""
