@@ -5,7 +5,8 @@ import time
 
 import pytest
 from host_crowds import AGENTS, HostCrowd, crowd_scenario
-from programs import ANTICIPATION_TABLE, assert_same_recording, assert_says, read_bytes, read_text, wait_for
+from programs import (ANTICIPATION_TABLE, PATIENCE, assert_same_recording, assert_says, read_bytes, read_text,
+                      wait_for)
 
 CUT = 5.0  # [s]
 FLAPPING = 60.0  # [s]
@@ -28,7 +29,7 @@ def walk_to_the_end(runner, crowd):
     crowd.start_learners()
     controller = crowd.start_controller(scenario, real_time_factor='fast', episodes=2, seed=5, answer_deadline=60,
                                         start_deadline=120, trajectories=runner.path('walk'))
-    assert controller.wait() == 0, controller.output()
+    assert controller.wait(3 * PATIENCE) == 0, controller.output()
     assert controller.output().count(' 0 answers missed, 0 dropped') == 2, controller.output()
     expected = runner.headless(scenario, ANTICIPATION_TABLE, episodes=2, seed=5)
     return read_bytes(runner.path('walk/crowd.csv')), expected

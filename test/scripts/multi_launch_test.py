@@ -5,8 +5,8 @@ import pytest
 import ssh_hosts
 from host_crowds import AGENTS, crowd_scenario
 from network_hosts import programs_in
-from programs import (ANTICIPATION_TABLE, assert_same_recording, assert_says, in_package, page_examples, read_bytes,
-                      tools_folder, wait_for)
+from programs import (ANTICIPATION_TABLE, PATIENCE, assert_same_recording, assert_says, in_package, page_examples,
+                      read_bytes, tools_folder, wait_for)
 
 ENV_LOADER = 'crowd_env.sh'
 SETUP = '/home/ada/catkin_ws/devel/setup.sh'  # on the page
@@ -69,7 +69,7 @@ class MultiLaunchTest:
         scenario = runner.write('crowd.yaml', crowd_scenario(20))
         launched = launch(runner, network, ssh, ' '.join(host.address for host in network.hosts[1:]), seed=5,
                           episodes=1, scenario=scenario, trajectories=runner.path('walk'))
-        assert launched.wait() == 0, launched.output()
+        assert launched.wait(3 * PATIENCE) == 0, launched.output()
         for number, host in enumerate(network.hosts[1:]):
             assert_says(launched.output(), f'remote[{host.address}-{number}]: ssh connection created')
         assert_says(launched.output(), f'0 of {AGENTS} agents arrived', ' 0 answers missed, 0 dropped')

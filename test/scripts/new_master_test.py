@@ -1,5 +1,6 @@
 """A ROS master that ends, and a new one at its place: nodes go on, and register with the new one."""
 import os
+import re
 import select
 import signal
 import socket
@@ -202,7 +203,8 @@ class NewMasterTest:
         manager = desk.start_nodelet('manager', '__name:=manager')
         loaders = [desk.start_nodelet('load', f'social_crowd/{name}', 'manager', f'__name:={name}', *parameters)
                    for name, parameters in (('learner', [f'_q_table:={ANTICIPATION_TABLE}']),
-                                            ('crowd_controller', ['_scenario:=circle6', '_real_time_factor:=5']))]
+                                            ('crowd_controller', ['_scenario:=circle6', '_real_time_factor:=5',
+                                                                  f'_answer_deadline:={PATIENCE}']))]
         wait_episode(manager)
         before = desk.state('/manager')
         desk.replace_rosmaster()
@@ -240,8 +242,9 @@ class NoMasterTest:
         wait_episode(controller)
         desk.stop_rosmaster()
         learner.kill()
-        wait_for(lambda: 'no answer for agent' in controller.output(), 'the warning of silence')
-        assert_says(controller.output(), f': the ROS master at {desk.uri} does not answer; ')
+        # A busy machine may have missed answers before.
+        warning = re.compile(rf'no answer for agent.*: the ROS master at {re.escape(desk.uri)} does not answer; ')
+        wait_for(lambda: warning.search(controller.output()), 'the warning of silence')
         wait_for(lambda: f'the ROS master at {desk.uri} does not answer. Connected nodes go on' in controller.output(),
                  'the warning of the missing master')
         desk.start_rosmaster()

@@ -167,6 +167,7 @@ class ReadmeTest:
         assert STEPPED in README
         process = terminal.start(f'{ROBOT[0]} {STEPPED}')
         wait_for(terminal.has_master, 'the ROS master')
+        wait_for(lambda: '/crowd_controller/step_robots' in terminal.run('rosservice list'), 'the crowd controller')
         terminal.write('drive.py', other_blocks(README)[2] + 'print("over", info["tick"])\n')
         assert re.search(r'^over [1-9]\d*$', terminal.run('/usr/bin/python3 drive.py'), re.MULTILINE)
         terminal.interrupt(process)

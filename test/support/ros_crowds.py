@@ -1,7 +1,11 @@
 """A ROS master of a test, on a free port, and the nodes of a crowd."""
+import os
+import re
+import subprocess
+
 import rosgraph
 from crowd_launching.program import free_port
-from programs import ANTICIPATION_TABLE, CIRCLE6, wait_for
+from programs import ANTICIPATION_TABLE, CIRCLE6, PATIENCE, wait_for
 from roslib.packages import find_node
 
 
@@ -32,6 +36,12 @@ class Ros:
         self.start_node('crowd_controller', scenario=scenario, **parameters)
         self.start_node('learner', q_table=ANTICIPATION_TABLE)
         wait_for(lambda: '/crowd_controller/pause' in self.services(), 'the crowd controller')
+
+    def pause(self):
+        """Pauses the crowd and waits until it rests. Returns the tick."""
+        done = subprocess.run(['rosservice', 'call', '/crowd_controller/pause', 'true'], stdout=subprocess.PIPE,
+                              env={**os.environ, **self.environment}, timeout=PATIENCE, check=True)
+        return int(re.search(r'paused at episode \d+, tick (\d+)', done.stdout.decode())[1])
 
     def services(self):
         return {name for name, _ in self.master.getSystemState()[2]}

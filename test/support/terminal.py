@@ -7,6 +7,7 @@ import urllib.parse
 from crowd_launching.program import free_port
 from programs import Folder, PACKAGE, PATIENCE, wait_for
 
+WORK = 5 * PATIENCE  # [s] time limit of a line, which may train or film for half a minute on an idle machine
 BAD = ('[ERROR]', '[FATAL]', 'Traceback', 'has died', 'escalating', 'exit code')
 
 
@@ -31,7 +32,7 @@ class Terminal(Folder):
         return self.runner.start(line.split()[0].split('/')[-1], ['bash', '-c', f"cd '{self.folder}' && exec {line}"],
                                  self.environment)
 
-    def run(self, line, status=0, seconds=PATIENCE):
+    def run(self, line, status=0, seconds=WORK):
         """Runs a command line, which must end with this exit status. Returns its output."""
         done = subprocess.run(['bash', '-c', line], cwd=self.folder, env={**os.environ, **self.environment},
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -41,7 +42,7 @@ class Terminal(Folder):
         return output
 
     def wait_message(self, topic, condition='True'):
-        """Waits for a message m that meets the condition, which is written in Python."""
+        """Waits for a message m that meets the condition, which is written in Python. A launch may train before."""
         wait_for(self.has_master, 'the ROS master')
         return self.run(f"rostopic echo -n 1 --filter '{condition}' {topic}")
 
