@@ -25,14 +25,15 @@ class DiagnosticsTestCase(ControllerTestCase):
     def start_controller(self, *arguments, **parameters):
         return super().start_controller(*arguments, **dict({'diagnostic_period': PERIOD}, **parameters))
 
-    def newest(self, name):
-        """Returns the newest report of a name in the name space of this test; None: none."""
+    def all_of(self, name, since=0):
+        """Returns the reports of a name in the name space of this test, from a message on."""
         full_name = f'{self.namespace[1:]}/{name}'
-        for message in reversed(self.reports.messages):
-            for status in message.status:
-                if status.name == full_name:
-                    return status
-        return None
+        return [status for message in self.reports.messages[since:] for status in message.status
+                if status.name == full_name]
+
+    def newest(self, name):
+        """Returns the newest report of a name; None: none."""
+        return next(reversed(self.all_of(name)), None)
 
     def wait(self, name, level, words=''):
         """Waits until the newest report has this level, and a message with these words. Returns its values."""
@@ -81,8 +82,11 @@ class WalkTest(DiagnosticsTestCase):
     def test_learner_that_is_killed_and_comes_back(self):
         self.start_all(real_time_factor=1.0, answer_deadline=0.1, paused=False)
         self.wait('crowd_controller: answers', OK, 'all answers in time')
+        since = len(self.reports.messages)
         next(process for process in self.processes if process.name == 'learner').kill()
-        self.wait('crowd_controller: answers', WARN, 'answers missed')
+        # It lasts for less than a second, then it is an error.
+        support.wait_for(lambda: any(status.level == WARN and 'answers missed' in status.message
+                                     for status in self.all_of('crowd_controller: answers', since)), 'a warning')
         values = self.wait('crowd_controller: answers', ERROR, 'no answer for agents 0, 1')
         self.assertEqual(values['agents without an answer'], '2')
         self.assertGreaterEqual(int(values['missed answers since the start']), 2)

@@ -24,7 +24,7 @@ class RecordRobotsTest(RobotLaunchTestCase):
         scenario = support.in_package('config', 'scenarios', 'robots', 'robot_crossing.yaml')
         results = self.listen('episode_results', EpisodeResult)
         launched = self.drive('robot_lab.launch', scenario=scenario, real_time_factor='fast', episodes=EPISODES, seed=4,
-                              robots_csv=self.path('ros.csv'))
+                              robots_csv=self.path('ros.csv'), command_deadline=support.PATIENCE)
         self.assert_ends_well(launched)
         self.tool('evaluate', '--q-table', support.ANTICIPATION_TABLE, '--robot', 'none', '--robots-csv',
                   self.path('headless.csv'), scenario)

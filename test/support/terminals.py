@@ -70,9 +70,8 @@ def run_in_terminal(command, columns, rows, typed=''):
     status and the screen at its end."""
     child, terminal = pty.fork()
     if child == 0:
-        time.sleep(0.1)  # until the size is set
+        fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack('HHHH', rows, columns, 0, 0))
         os.execv(command[0], command)
-    fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack('HHHH', rows, columns, 0, 0))
     written, deadline = b'', time.monotonic() + PATIENCE
     while time.monotonic() < deadline:
         if not select.select([terminal], [], [], 1.0)[0]:
