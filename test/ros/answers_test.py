@@ -3,7 +3,7 @@
 import rospy
 import support
 from answering import AHEAD, BACK, AbsenceTestCase, Answers, actions_for
-from social_crowd.msg import Perceptions, RelativeAction
+from social_crowd.msg import LearnerStatus, Perceptions, RelativeAction
 
 NAN, INFINITE = float('nan'), float('inf')
 
@@ -154,8 +154,11 @@ class TwoLearnersTest(AbsenceTestCase):
                          '~agents')
 
     def test_no_warning_for_learners_with_different_agents(self):
+        status = self.listen('learner_status', LearnerStatus)
         self.start_quiet(seconds=3, paused=True, answer_deadline=60.0)
         self.start_pair()
+        # A learner that needs more than 3 s to start is named.
+        support.wait_for(lambda: len({message.node for message in status.messages}) == 2, 'both learners')
         self.step(30)
         self.assertEqual(self.results.wait_at(0, 30).dropped_answers, 0)
         self.assertNotIn('WARN', self.controller.output())

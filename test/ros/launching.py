@@ -29,9 +29,11 @@ class LaunchTestCase(support.CrowdTestCase):
 
     def assert_no_complaint(self, launched, levels):
         """Checks that nodes logged no messages of these levels, and that all ended properly. A master that is busy when
-        many nodes start refuses some of roscpp's requests, which roscpp reports and repeats."""
+        many nodes start refuses some of roscpp's requests, which roscpp reports and repeats. Learners that need more
+        than 3 s to start are waited for, with a warning."""
         complaints = re.findall(rf'.*\[ ?(?:{levels})\].*|.*(?:exit code|escalating|Traceback).*', launched.output())
-        self.assertEqual([line for line in complaints if not line.endswith('Retrying...')], [])
+        self.assertEqual([line for line in complaints if not line.endswith(('Retrying...', 'They stay in place'))],
+                         [])
 
     def assert_ends_with(self, launched, *words):
         """Checks that a launch ends without intervention and prints the cause, and that roslaunch reports an error."""

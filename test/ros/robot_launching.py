@@ -1,6 +1,4 @@
 """Base of the tests of launch files with robots."""
-import re
-
 import rospy
 import support
 from geometry_msgs.msg import PoseStamped
@@ -16,13 +14,6 @@ class RobotLaunchTestCase(LaunchTestCase):
         self.addCleanup(rospy.delete_param, '/use_sim_time')
         self.states = self.listen('robots', RobotStates)
         return self.launch(file, **arguments)
-
-    def assert_ends_well(self, launched):
-        """Checks that a launch ends without errors."""
-        self.assertEqual(launched.wait(), 0, launched.output())
-        self.assertNotRegex(launched.output(), 'REQUIRED process|has died')
-        signs = r'.*\[ ?(?:WARN|ERROR|FATAL)\].*|.*(?:exit code|escalating|Traceback).*'
-        self.assertEqual(re.findall(signs, launched.output()), [])
 
     def send_nav_goal(self, x, y):
         """Publishes a goal as the tool 2D Nav Goal of RViz does, and waits until it is that of the robot."""

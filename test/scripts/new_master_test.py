@@ -120,9 +120,11 @@ def wait_registered_again(*nodes):
 
 
 def assert_no_answer_lost(controller):
+    """A learner that needs more than 3 s to start is named, too: then agents stay in place."""
     lines = episodes(controller)
     assert [line for line in lines if NO_ANSWER_LOST not in line] == []
-    assert 'no answer' not in controller.output()
+    assert [line for line in controller.output().splitlines()
+            if 'no answer' in line and not line.endswith('They stay in place')] == []
 
 
 class ClosingProxy(socketserver.ThreadingTCPServer):
