@@ -232,7 +232,7 @@ class LoadingTest(NodeletTestCase):
         agents.wait_connected()
         self.step(3)
         self.assertEqual(learner.stop(), 0)
-        self.assertEqual(self.publishers('actions'), [])
+        support.wait_for(lambda: not self.publishers('actions'), 'the unloading')
         later = self.call_later('crowd_controller/step', ticks=3)
         self.load('learner', q_table=support.NEAREST_TABLE)
         self.assertTrue(later.result('an answer of the learner that came').success)
@@ -247,7 +247,7 @@ class LoadingTest(NodeletTestCase):
         for _ in range(2):
             controller = self.load_controller()
             self.assertEqual(controller.stop(), 0)
-            self.assertEqual(self.publishers('perceptions'), [])
+            support.wait_for(lambda: not self.publishers('perceptions'), 'the unloading')
         self.load('learner', q_table=support.NEAREST_TABLE)
         status.wait(what='of another nodelet')
         self.assert_manager_is_well()
