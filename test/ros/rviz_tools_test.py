@@ -59,7 +59,10 @@ class ToolsTestCase(ControllerTestCase):
         for jiggle in range(HOVERS):  # a drag of a marker that RViz has not noticed under the mouse turns the view
             self.screen.use('mousemove', x + jiggle % 2, y)
             time.sleep(HOVER)
+        for jiggle in (1, 0):  # it looks once in a frame, and a busy machine draws few
             self.wait_frame()
+            self.screen.use('mousemove', x + jiggle, y)
+        self.wait_frame()
         self.screen.use('mousemove', x, y, 'mousedown', 1)
         for share in (0.25, 0.5, 0.75, 1.0):
             self.screen.use('mousemove', *self.pixel(*(b + share * (e - b) for b, e in zip(begin, end))))
