@@ -164,7 +164,7 @@ class RegistrationTest:
     @pytest.mark.parametrize('file', sorted(pathlib.Path(in_package('test', 'scripts')).glob('*_test.py')),
                              ids=lambda file: file.stem)
     def test_of_scripts(self, file):
-        assert f'add_script_test({file.stem[:-len("_test")]} ' in self.TEXT
+        assert f'add_script_test({file.stem[:-len("_test")]})' in self.TEXT
 
     @pytest.mark.parametrize('file', sorted(pathlib.Path(in_package('test', 'ros')).glob('*.test')),
                              ids=lambda file: file.stem)
