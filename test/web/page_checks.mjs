@@ -90,18 +90,21 @@ const CHECKS = {
     await page.mouse.click(...await pixelOf(page, await place()));
     await until(page, `${PEOPLE} === ${people} - 1`);
   },
-  async walls_and_obstacles(page) {  // in a corner, where nobody walks
-    const count = await value(page, 'socialCrowd.scene.walls.length + 100 * socialCrowd.scene.obstacles.length');
+  async walls_and_obstacles(page) {  // in a corner, where nobody walks; one after the other, as a new scene ends a drag
+    const walls = await value(page, 'socialCrowd.scene.walls.length');
+    const obstacles = await value(page, 'socialCrowd.scene.obstacles.length');
     const [, , x, y] = await value(page, 'socialCrowd.picture.bounds');
     await press(page, 'Add wall');
     await drag(page, await pixelOf(page, [x - 0.9, y - 0.1]), await pixelOf(page, [x - 0.1, y - 0.1]));
+    await until(page, `socialCrowd.scene.walls.length === ${walls + 1}`);
     await press(page, 'Add obstacle');
     await drag(page, await pixelOf(page, [x - 0.3, y - 0.8]), await pixelOf(page, [x - 0.1, y - 0.8]));
-    await until(page, `socialCrowd.scene.walls.length + 100 * socialCrowd.scene.obstacles.length === ${count + 101}`);
+    await until(page, `socialCrowd.scene.obstacles.length === ${obstacles + 1}`);
     await press(page, 'Remove');
     await page.mouse.click(...await pixelOf(page, [x - 0.5, y - 0.1]));
+    await until(page, `socialCrowd.scene.walls.length === ${walls}`);
     await page.mouse.click(...await pixelOf(page, [x - 0.3, y - 0.8]));
-    await until(page, `socialCrowd.scene.walls.length + 100 * socialCrowd.scene.obstacles.length === ${count}`);
+    await until(page, `socialCrowd.scene.obstacles.length === ${obstacles}`);
     await press(page, 'Select');
   },
   async an_error_is_shown_and_goes_away(page) {
