@@ -90,7 +90,7 @@ const CHECKS = {
     await page.mouse.click(...await pixelOf(page, await place()));
     await until(page, `${PEOPLE} === ${people} - 1`);
   },
-  async walls_and_obstacles(page) {  // in a corner, where nobody walks; one after the other, as a new scene ends a drag
+  async walls_and_obstacles(page) {  // in a corner, where nobody walks; each is awaited, as a new scene may fit the view
     const walls = await value(page, 'socialCrowd.scene.walls.length');
     const obstacles = await value(page, 'socialCrowd.scene.obstacles.length');
     const [, , x, y] = await value(page, 'socialCrowd.picture.bounds');
