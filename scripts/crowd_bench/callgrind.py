@@ -164,7 +164,7 @@ def read_kept(file=KEPT):
 
 
 def write_kept(kind, counts, file=KEPT):
-    text = ('# Instructions of small runs; scripts/count_instructions --keep writes this file.\n'
+    text = ('# Instructions of small runs; research/count_instructions --keep writes this file.\n'
             + yaml.safe_dump({'kind': kind, 'counts': counts}, sort_keys=False, width=120))
     pathlib.Path(file).write_text(text, encoding='utf-8')
 
@@ -180,9 +180,9 @@ def is_fine(count, kept):
 
 
 def main(words=None):
-    """Runs scripts/count_instructions with command line words. Returns the exit status."""
+    """Runs research/count_instructions with command line words. Returns the exit status."""
     parser = parser_of('count_instructions', 'Counts the instructions of small runs and compares them with those in '
-                       f'{KEPT.name}.', 'example:\n  scripts/count_instructions', STATUSES)
+                       f'{KEPT.name}.', 'example:\n  research/count_instructions', STATUSES)
     parser.add_argument('--keep', action='store_true', help='store these counts instead of comparing them')
     add_tools(parser)
     arguments = parser.parse_args(words)

@@ -46,4 +46,5 @@ class BroadcastTestCase(support.CrowdTestCase):
         for name in ('agents', 'perceptions'):
             self.ears[name].wait_at(0, 30)
         self.ears['actions'].wait_at(0, 29)
+        self.ears['scenario'].wait()
         self.ears['learner_status'].wait(lambda status: status.agents)

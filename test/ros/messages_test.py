@@ -123,15 +123,16 @@ class SequentialTest(BroadcastTestCase):
     def test_each_agent_is_perceived_in_its_own_turn(self):
         self.start_all(SCENE + 'order: sequential\n', table=support.ANTICIPATION_TABLE)
         self.step(2)
-        self.ears['agents'].wait_at(0, 2)
         self.assertEqual(self.ears['scenario'].wait().order, Scenario.SEQUENTIAL)
-        asked = [(m.tick, m.turn, [agent.agent for agent in m.agents]) for m in self.ears['perceptions'].messages]
-        for tick in (0, 1):
-            for turn in (0, 1):
-                self.assertIn((tick, turn, [turn]), asked)
-        velocities = [m.neighbours[0].velocity_x for m in self.ears['perceptions'].messages
-                      if (m.tick, m.turn) == (0, 1)]
-        self.assertNotEqual(velocities[0], 0.0, 'agent 1 should perceive that agent 0 has moved in this tick')
+        asked = [self.perceptions_at(tick, turn) for tick in (0, 1) for turn in (0, 1)]
+        self.assertEqual([[agent.agent for agent in message.agents] for message in asked], [[0], [1], [0], [1]])
+        velocity = asked[1].neighbours[0].velocity_x
+        self.assertNotEqual(velocity, 0.0, 'agent 1 should perceive that agent 0 has moved in this tick')
+
+    def perceptions_at(self, tick, turn):
+        """Waits for the perceptions of a turn."""
+        return self.ears['perceptions'].wait(lambda message: (message.tick, message.turn) == (tick, turn),
+                                             f'of tick {tick}, turn {turn}')
 
     def test_states_are_published_at_the_end_of_a_tick(self):
         self.start_all(SCENE + 'order: sequential\n', agents_rate=0.0)

@@ -239,9 +239,8 @@ class ReportedTopicsTest(TopicsTestCase):
     def expect_agents(self, ear, agents):
         """Walks until a topic contains these agents."""
         def has_these():
-            response = self.step()
-            found = [message for message in list(ear.messages) if message.tick == response.tick - 1]
-            return found and [agent.agent for agent in found[0].agents] == agents
+            perceptions = ear.wait_at(0, self.step().tick - 1)
+            return [agent.agent for agent in perceptions.agents] == agents
 
         support.wait_for(has_these, f'perceptions of {agents}')
 
@@ -278,6 +277,7 @@ class ReportedTopicsTest(TopicsTestCase):
         task = self.call_later('crowd_controller/step', ticks=5)
         self.report('/my_learner', topic, sorted(mine))
         self.assertTrue(task.result('answers of both learners').success)
+        received.wait_at(0, 4)
         self.assertEqual({agent.agent for message in received.messages for agent in message.agents}, mine)
 
     def test_invalid_topics_are_refused(self):

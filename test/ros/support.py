@@ -1,9 +1,12 @@
 """Base of the rostests: nodes, topics and services in a separate name space. Includes the support of all tests."""
 import os
+import queue
+import random
 import shutil
 import sys
 import tempfile
 import threading
+import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 import xmlrpc.client
@@ -23,6 +26,8 @@ from programs import (ANTICIPATION_TABLE, CIRCLE6, NEAREST_TABLE, OCCUPANCY_TABL
 
 TICK = 0.1  # [s], default of scenarios
 STANDARD_SERVICES = {'pause': SetBool, 'reset_traces': Trigger}  # the class of another one is called like it
+
+LATENESS = float(os.environ.get('SOCIAL_CROWD_TEST_LATENESS', 0))  # [s]
 
 skips = {}  # reasons, by test
 
@@ -61,13 +66,31 @@ def service_class(name):
     return STANDARD_SERVICES.get(name) or getattr(srv, ''.join(word.capitalize() for word in name.split('_')))
 
 
+def late(receive):
+    """Returns a function that passes each message to another one after the same random time of up to LATENESS. Nothing
+    promises that messages of two topics come in the order in which they were sent: this shows tests that rely on it."""
+    if not LATENESS:
+        return receive
+    seconds = random.uniform(0, LATENESS)
+    messages = queue.Queue()
+
+    def run():
+        while True:
+            due, message = messages.get()
+            time.sleep(max(0.0, due - time.monotonic()))
+            receive(message)
+
+    threading.Thread(target=run, daemon=True).start()
+    return lambda message: messages.put((time.monotonic() + seconds, message))
+
+
 class Listener:
     """Keeps all messages of a topic."""
 
     def __init__(self, topic, message_type):
         self.topic = topic
         self.messages = []
-        self.subscriber = rospy.Subscriber(topic, message_type, self.messages.append, tcp_nodelay=True)
+        self.subscriber = rospy.Subscriber(topic, message_type, late(self.messages.append), tcp_nodelay=True)
 
     def wait_connected(self, count=1):
         """Waits until this number of publishers send their messages here. rospy counts connections before that."""

@@ -11,7 +11,7 @@ from crowd_bench import callgrind, callgrind as instruction_counts
 from crowd_experiments.runs import RunError
 from programs import ANTICIPATION_TABLE, assert_same_recording, assert_says, in_package, read_bytes, tools_folder
 
-ADVICE = 'If this is intended: scripts/count_instructions --keep'
+ADVICE = 'If this is intended: research/count_instructions --keep'
 REFERENCE = 'reference'
 # As valgrind 3.19 ends at RDTSCP on processors on which it does not emulate that.
 VALGRIND_THAT_DIES = '''#!/bin/sh
@@ -71,7 +71,7 @@ class ValgrindThatCannotStartTest:
         return {'PATH': runner.path('bin') + os.pathsep + os.environ['PATH']}
 
     def test_count_instructions_says_why(self, runner, environment):
-        counting = runner.start('count_instructions', [in_package('scripts', 'count_instructions'), '--tools',
+        counting = runner.start('count_instructions', [in_package('research', 'count_instructions'), '--tools',
                                                        tools_folder()], environment)
         assert counting.wait() == 1
         assert_says(counting.output(), 'count_instructions: ', *WHY)

@@ -156,23 +156,6 @@ class TypesTableTest:
         assert read_text(page) == page_text('state_sets.md')
 
 
-class RegistrationTest:
-    """A test that CMake does not know never runs."""
-
-    TEXT = read_text(in_package('test', 'CMakeLists.txt'))
-
-    @pytest.mark.parametrize('file', sorted(pathlib.Path(in_package('test', 'scripts')).glob('*_test.py')),
-                             ids=lambda file: file.stem)
-    def test_of_scripts(self, file):
-        assert f'add_script_test({file.stem[:-len("_test")]})' in self.TEXT
-
-    @pytest.mark.parametrize('file', sorted(pathlib.Path(in_package('test', 'ros')).glob('*.test')),
-                             ids=lambda file: file.stem)
-    def test_of_nodes(self, file):
-        lists = re.findall(r'(?:foreach\(\s*NAME|set\(RVIZ_TESTS) ([\w\s]+)\)', self.TEXT.replace('NAME\n', 'NAME '))
-        assert file.stem in ' '.join(lists).split() or f'add_rostest(ros/{file.name} ' in self.TEXT
-
-
 class ColumnsTest:
     """Columns of CSV files are those of the pages."""
 
