@@ -4,6 +4,10 @@ import re
 import support
 
 EPISODES = 2
+# How warnings end that are right: a master that is busy when many nodes start refuses some of roscpp's requests, which
+# roscpp repeats; learners that need more than 3 s to start are waited for; of nodelets and their manager, which are
+# interrupted together, the manager may end first.
+FINE = ('Retrying...', 'They stay in place', 'perhaps the manager is already shut down')
 
 
 class LaunchTestCase(support.CrowdTestCase):
@@ -28,12 +32,9 @@ class LaunchTestCase(support.CrowdTestCase):
         self.assert_no_complaint(launched, 'WARN|ERROR|FATAL')
 
     def assert_no_complaint(self, launched, levels):
-        """Checks that nodes logged no messages of these levels, and that all ended properly. A master that is busy when
-        many nodes start refuses some of roscpp's requests, which roscpp reports and repeats. Learners that need more
-        than 3 s to start are waited for, with a warning."""
+        """Checks that nodes logged no messages of these levels, except FINE ones, and that all ended properly."""
         complaints = re.findall(rf'.*\[ ?(?:{levels})\].*|.*(?:exit code|escalating|Traceback).*', launched.output())
-        self.assertEqual([line for line in complaints if not line.endswith(('Retrying...', 'They stay in place'))],
-                         [])
+        self.assertEqual([line for line in complaints if not line.endswith(FINE)], [])
 
     def assert_ends_with(self, launched, *words):
         """Checks that a launch ends without intervention and prints the cause, and that roslaunch reports an error."""
