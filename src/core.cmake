@@ -41,7 +41,8 @@ foreach(LAYER avoidance common geometry learning library maps meshes navigation 
   file(GLOB_RECURSE LAYER_SOURCES CONFIGURE_DEPENDS ${REPOSITORY}/src/${LAYER}/*.cpp)
   list(APPEND CORE_SOURCES ${LAYER_SOURCES})
 endforeach()
-add_library(${PROJECT_NAME}_core ${CORE_SOURCES} ${REPOSITORY}/src/simd/kernels.cpp ${REPOSITORY}/src/simd/reference.cpp)
+add_library(${PROJECT_NAME}_core ${CORE_SOURCES} ${REPOSITORY}/src/simd/kernels.cpp ${REPOSITORY}/src/simd/reference.cpp
+  ${REPOSITORY}/src/simd/segment_gaps.cpp)
 # Fused operations are disabled, so that results are the same on every processor. errno and floating-point exceptions are
 # not used; disabling them allows the vectorisation of loops with square roots and comparisons.
 set(CORE_OPTIONS -ffp-contract=off -fno-math-errno -fno-trapping-math

@@ -6,13 +6,11 @@
 
 #include "avoidance/escape_planner.h"
 #include "avoidance/near_agents.h"
+#include "avoidance/stopping_gaps.h"
 #include "simd/kernels.h"
 
 namespace crowd {
 namespace {
-
-/// Regions that overlap by less touch each other: rounding [m].
-constexpr double TOUCHING = 1e-10;
 
 /// Limits the place where each move of a block stops.
 /// @param limit of where it stops
@@ -21,6 +19,8 @@ void cutStop(const MoveLimit& limit, const Perception& seen, MoveBlock& moves) {
                              seen.motion.braking * seen.tick_duration, 1.0 / seen.self.max_speed};
   simd::kernels().cut_stops(stop, moves.x.data(), moves.y.data(), MoveBlock::SIZE, moves.fraction.data());
 }
+
+std::size_t lowestOf(NeighbourSet set) { return static_cast<std::size_t>(__builtin_ctz(set)); }
 
 }  // namespace
 
@@ -31,16 +31,37 @@ BrakingRule::BrakingRule(const Perception& seen, GapSharing sharing)
 template <typename Use>
 void BrakingRule::forEachLimit(double reach, const Use& use) const {
   if (sharing_ == GapSharing::NONE) return;
-  const auto use_if_near = [&](const Limit& limit) {
+  StoppingGaps gaps(stopping_.to, seen_.self.radius);
+  const auto use_if_near = [&](const Gap& gap, double share) {
+    const Limit limit{{gap.normal, gap.along + std::max(0.0, share - GAP_MARGIN)}, gap.is_sudden};
     if (limit.max_advance < reach) use(limit);
   };
   for (std::size_t first = 0; first < seen_.neighbours.size(); first += NEIGHBOURS_AT_ONCE) {
-    for (NeighbourSet left = findLimiting(first, reach); left != 0; left &= left - 1) {
-      use_if_near(limitOf(seen_.neighbours[first + static_cast<std::size_t>(__builtin_ctz(left))]));
+    const NeighbourSet limiting = findLimiting(first, reach);
+    gaps.clear();
+    for (NeighbourSet left = limiting; left != 0; left &= left - 1) {
+      const Neighbour other = seen_.neighbours[first + lowestOf(left)];
+      gaps.add({other.position, stopOf(other)}, other.radius);
+    }
+    gaps.find();
+    std::size_t number = 0;
+    for (NeighbourSet left = limiting; left != 0; left &= left - 1) {
+      const Neighbour other = seen_.neighbours[first + lowestOf(left)];
+      const Gap gap = gaps.overlaps(number) ? gapToBody(other.position, other.radius) : gapOf(gaps, number);
+      use_if_near(gap, shareOf(gap, other));
+      ++number;
     }
   }
-  for (const Segment& wall : seen_.walls) {
-    use_if_near(limitOf(wall, nearestPoint(wall, Vector2::Zero()), 0.0, [](const Gap& gap) { return gap.width; }));
+  for (std::size_t first = 0; first < seen_.walls.size(); first += StoppingGaps::MAX) {
+    const std::size_t count = std::min(StoppingGaps::MAX, seen_.walls.size() - first);
+    gaps.clear();
+    for (std::size_t i = 0; i < count; ++i) gaps.add(seen_.walls[first + i], 0.0);
+    gaps.find();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Segment& wall = seen_.walls[first + i];
+      const Gap gap = gaps.overlaps(i) ? gapToBody(nearestPoint(wall, Vector2::Zero()), 0.0) : gapOf(gaps, i);
+      use_if_near(gap, gap.width);
+    }
   }
 }
 
@@ -49,29 +70,13 @@ void BrakingRule::forEachLimit(double reach, const Use& use) const {
 /// between the stopping regions along the line between the centres.
 NeighbourSet BrakingRule::findLimiting(std::size_t first, double reach) const {
   const NeighbourSpan& all = seen_.neighbours;
-  const std::size_t count = std::min(NEIGHBOURS_AT_ONCE, all.size() - first);
-  const double* const xs = all.xs() + first;
-  const double* const ys = all.ys() + first;
-  const double* const vxs = all.vxs() + first;
-  const double* const vys = all.vys() + first;
-  const double* const radii = all.radii() + first;
-  const Vector2 own_way = stopping_.to;
-  const double tick_duration = seen_.tick_duration;
-  const double near = 2.0 * reach + tick_duration * seen_.self.velocity.norm() + seen_.self.radius;
-  const double per_braking = 0.5 / seen_.motion.braking;
-  std::array<double, NEIGHBOURS_AT_ONCE> beyond;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
-  for (std::size_t i = 0; i < NEIGHBOURS_AT_ONCE; ++i) {  // all lanes: the compiler vectorises it
-    const double distance = std::sqrt(xs[i] * xs[i] + ys[i] * ys[i]);
-    const double speed = std::sqrt(vxs[i] * vxs[i] + vys[i] * vys[i]);
-    const double own = std::max(0.0, xs[i] * own_way.x() + ys[i] * own_way.y());
-    const double its = std::max(0.0, -(xs[i] * vxs[i] + ys[i] * vys[i]) * speed * per_braking);
-    beyond[i] = distance * (distance - near - tick_duration * speed - radii[i]) - own - its;
-  }
-  NeighbourSet limiting = 0;
-  for (std::size_t i = 0; i < NEIGHBOURS_AT_ONCE; ++i) limiting |= NeighbourSet{beyond[i] <= 0.0} << i;
-  limiting &= (NeighbourSet{1} << count) - 1;
+  const double room = 2.0 * reach + seen_.tick_duration * seen_.self.velocity.norm() + seen_.self.radius;
+  NeighbourSet limiting = simd::kernels().find_near_stop(
+      {all.xs() + first, all.ys() + first, all.vxs() + first, all.vys() + first, all.radii() + first,
+       all.size() - first},
+      {stopping_.to.x(), stopping_.to.y(), seen_.tick_duration, 0.5 / seen_.motion.braking, room});
   if (!all.hasObstacles()) return limiting;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < std::min(NEIGHBOURS_AT_ONCE, all.size() - first); ++i) {
     if (!limits(all[first + i])) limiting &= ~(NeighbourSet{1} << i);
   }
   return limiting;
@@ -83,43 +88,31 @@ bool BrakingRule::limits(const Neighbour& other) {
   return other.kind != NeighbourKind::UNYIELDED_ROBOT;
 }
 
-BrakingRule::Limit BrakingRule::limitOf(const Neighbour& other) const {
-  if (other.kind == NeighbourKind::AGENT) return limitOfAgent(other);
-  // A robot may move on as it does, or stop within the tick.
-  const Vector2 after = other.position + seen_.tick_duration * other.velocity;
-  const auto share = [&](const Gap& gap) {
+/// Where another body stops. A robot may move on as it does, or stop within the tick.
+Vector2 BrakingRule::stopOf(const Neighbour& other) const {
+  const bool is_agent = other.kind == NeighbourKind::AGENT;
+  return other.position +
+         (is_agent ? seen_.motion.stoppingWay(other.velocity) : Vector2(seen_.tick_duration * other.velocity));
+}
+
+BrakingRule::Gap BrakingRule::gapOf(const StoppingGaps& gaps, std::size_t number) {
+  return {gaps.normal(number), std::max(0.0, gaps.width(number)), gaps.along(number), false};
+}
+
+/// @param place nearest point of the other's centre, or of a wall
+BrakingRule::Gap BrakingRule::gapToBody(const Vector2& place, double its_radius) const {
+  const double distance = place.norm();
+  const Vector2 normal = distance > 0.0 ? Vector2(place / distance) : Vector2::Zero();
+  return {normal, std::max(0.0, distance - seen_.self.radius - its_radius), 0.0, true};
+}
+
+/// How far the agent may advance into a gap to another body [m].
+double BrakingRule::shareOf(const Gap& gap, const Neighbour& other) const {
+  if (other.kind != NeighbourKind::AGENT) {
     return gap.width - (gap.is_sudden ? needOfRobot(gap.normal, seen_, other) : 0.0);
-  };
-  return limitOf({other.position, after}, other.position, other.radius, share);
-}
-
-BrakingRule::Limit BrakingRule::limitOfAgent(const Neighbour& other) const {
-  const auto share = [&](const Gap& gap) {
-    const bool moves = sharing_ == GapSharing::MOVING;
-    return 0.5 * gap.width + (moves ? shiftOfLine(gap.width, gap.normal, seen_, other) : 0.0);
-  };
-  const Vector2 stop = other.position + seen_.motion.stoppingWay(other.velocity);
-  return limitOf({other.position, stop}, other.position, other.radius, share);
-}
-
-/// @param its_way of its centre, if it brakes from now on @param share how far the agent may advance into a gap
-template <typename Share>
-BrakingRule::Limit BrakingRule::limitOf(const Segment& its_way, const Vector2& its_place, double its_radius,
-                                        const Share& share) const {
-  Gap gap = gapBetween(closestPoints(stopping_, its_way), its_radius);
-  const bool is_sudden = gap.width < -TOUCHING;
-  if (is_sudden) gap = gapBetween({Vector2::Zero(), its_place}, its_radius);
-  gap.is_sudden = is_sudden;
-  gap.width = std::max(0.0, gap.width);
-  return {{gap.normal, gap.normal.dot(gap.own_point) + std::max(0.0, share(gap) - GAP_MARGIN)}, is_sudden};
-}
-
-/// Without a normal if the centres coincide: then no direction increases the overlap.
-BrakingRule::Gap BrakingRule::gapBetween(const ClosestPoints& points, double other_radius) const {
-  const Vector2 between = points.of_second - points.of_first;
-  const double distance = between.norm();
-  const Vector2 normal = distance > 0.0 ? Vector2(between / distance) : Vector2::Zero();
-  return {normal, distance - seen_.self.radius - other_radius, points.of_first, false};
+  }
+  const bool moves = sharing_ == GapSharing::MOVING;
+  return 0.5 * gap.width + (moves ? shiftOfLine(gap.width, gap.normal, seen_, other) : 0.0);
 }
 
 void BrakingRule::cut(MoveBlock* moves, std::size_t count) const {

@@ -6,11 +6,12 @@
 #include "avoidance/gap_sharing.h"
 #include "avoidance/move_limit.h"
 #include "avoidance/near_agents.h"
-#include "geometry/closest_points.h"
 #include "world/perception.h"
 #include "world/relative_action.h"
 
 namespace crowd {
+
+class StoppingGaps;
 
 /// @brief The separation rule for agents with motion limits (docs/separation_rule.md, Mass): wherever an agent goes in
 /// a tick, it can brake afterwards without leaving its own side of the line that divides the gap.
@@ -36,12 +37,12 @@ class BrakingRule {
   RelativeAction actionTowards(const CandidateMove& preferred, const CandidateMove& fallback) const;
 
  private:
-  /// A gap between two bodies, or their stopping regions, agent frame.
+  /// A gap between the stopping regions of the agent and of another body; if they overlap, that between the bodies.
   struct Gap {
-    Vector2 normal;          // towards the other
-    double width;            // [m]
-    Vector2 own_point;       // of the agent's centre, where the gap is narrowest [m]
-    bool is_sudden = false;  // it is that of the bodies, because the stopping regions overlap
+    Vector2 normal;  // towards the other; 0 if the centres coincide: then no direction increases the overlap
+    double width;    // [m]
+    double along;    // where the agent's centre is nearest to the other, along the normal [m]
+    bool is_sudden;  // it is that of the bodies
   };
   /// Upper bound of where the agent stops, in one direction; if it `is_sudden`, of where it is after the tick.
   struct Limit : MoveLimit {
@@ -59,11 +60,10 @@ class BrakingRule {
   void forEachLimit(double reach, const Use& use) const;
   NeighbourSet findLimiting(std::size_t first, double reach) const;
   static bool limits(const Neighbour& other);
-  Limit limitOf(const Neighbour& other) const;
-  Limit limitOfAgent(const Neighbour& other) const;
-  template <typename Share>
-  Limit limitOf(const Segment& its_way, const Vector2& its_place, double its_radius, const Share& share) const;
-  Gap gapBetween(const ClosestPoints& points, double other_radius) const;
+  Vector2 stopOf(const Neighbour& other) const;
+  static Gap gapOf(const StoppingGaps& gaps, std::size_t number);
+  Gap gapToBody(const Vector2& place, double its_radius) const;
+  double shareOf(const Gap& gap, const Neighbour& other) const;
   RelativeAction actionWith(const Vector2& velocity, const CandidateMove& move) const;
   Reach reachTowards(const Vector2& wanted) const;
   Vector2 velocityTowards(const Vector2& wanted) const;

@@ -12,6 +12,7 @@
 #include "simd/nearby_discs_inl.h"
 #include "simd/ranks_inl.h"
 #include "simd/row_numbers_inl.h"
+#include "simd/segment_gaps_inl.h"
 #include "simd/stopping_moves_inl.h"
 #include "simd/time_to_collision_inl.h"
 
@@ -19,8 +20,8 @@ HWY_BEFORE_NAMESPACE();
 namespace crowd::simd::HWY_NAMESPACE {
 
 Kernels targetKernels() {
-  return {hwy::TargetName(HWY_TARGET), collectNearby,  isAnyNearby, rankAscending, findNear,
-          accumulateTimeToCollision,   findRowNumbers, cutStops,    cutFollowing};
+  return {hwy::TargetName(HWY_TARGET), collectNearby,  isAnyNearby, rankAscending, findNear, findNearStop,
+          accumulateTimeToCollision,   findRowNumbers, cutStops,    cutFollowing,  findGaps};
 }
 
 }  // namespace crowd::simd::HWY_NAMESPACE

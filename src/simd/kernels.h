@@ -7,6 +7,7 @@
 #include "simd/nearby_discs.h"
 #include "simd/ranks.h"
 #include "simd/row_numbers.h"
+#include "simd/segment_gaps.h"
 #include "simd/stopping_moves.h"
 #include "simd/time_to_collision.h"
 
@@ -19,10 +20,12 @@ struct Kernels {
   IsAnyNearby* is_any_nearby;
   RankAscending* rank_ascending;
   FindNear* find_near;
+  FindNearStop* find_near_stop;
   AccumulateTimeToCollision* accumulate_time_to_collision;
   FindRowNumbers* find_row_numbers;
   CutStops* cut_stops;
   CutFollowing* cut_following;
+  FindGaps* find_gaps;
 };
 
 /// @brief Scalar implementation, which defines the results.

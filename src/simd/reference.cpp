@@ -63,6 +63,23 @@ std::uint32_t findNear(const NeighbourArrays& neighbours, const Nearness& nearne
   return near;
 }
 
+std::uint32_t findNearStop(const NeighbourArrays& neighbours, const StoppingNearness& nearness) {
+  std::uint32_t near = 0;
+  for (std::size_t i = 0; i < std::min(neighbours.count, MAX_LOOKED_AT); ++i) {
+    const double x = neighbours.xs[i];
+    const double y = neighbours.ys[i];
+    const double vx = neighbours.vxs[i];
+    const double vy = neighbours.vys[i];
+    const double distance = std::sqrt(x * x + y * y);
+    const double speed = std::sqrt(vx * vx + vy * vy);
+    const double own = std::max(0.0, x * nearness.stop_x + y * nearness.stop_y);
+    const double its = std::max(0.0, -(x * vx + y * vy) * speed * nearness.per_braking);
+    const double apart = distance - nearness.room - nearness.tick_duration * speed - neighbours.radii[i];
+    near |= distance * apart - own - its <= 0.0 ? std::uint32_t{1} << i : 0U;
+  }
+  return near;
+}
+
 /// A neighbour in single precision.
 struct Disc {
   float x;
@@ -140,10 +157,24 @@ void cutFollowing(const Leader& leader, const double* xs, const double* ys, std:
   }
 }
 
+void findGaps(double to_x, double to_y, double radius, const RegionArrays& others, const GapArrays& gaps) {
+  for (std::size_t i = 0; i < others.count; ++i) {
+    const NearestPair nearest =
+        nearestPair({0.0, 0.0, to_x, to_y}, {others.from_xs[i], others.from_ys[i], others.to_xs[i], others.to_ys[i]});
+    const double x = nearest.second_x - nearest.first_x;
+    const double y = nearest.second_y - nearest.first_y;
+    const double distance = std::sqrt(x * x + y * y);
+    gaps.normal_xs[i] = distance > 0.0 ? x / distance : 0.0;
+    gaps.normal_ys[i] = distance > 0.0 ? y / distance : 0.0;
+    gaps.widths[i] = distance - radius - others.radii[i];
+    gaps.alongs[i] = gaps.normal_xs[i] * nearest.first_x + gaps.normal_ys[i] * nearest.first_y;
+  }
+}
+
 }  // namespace
 
-const Kernels REFERENCE = {"reference",    collectNearby, isAnyNearby,
-                           rankAscending,  findNear,      accumulateTimeToCollision,
-                           findRowNumbers, cutStops,      cutFollowing};
+const Kernels REFERENCE = {
+    "reference",    collectNearby, isAnyNearby,  rankAscending, findNear, findNearStop, accumulateTimeToCollision,
+    findRowNumbers, cutStops,      cutFollowing, findGaps};
 
 }  // namespace crowd::simd
