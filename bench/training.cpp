@@ -63,7 +63,7 @@ class WalkedEpisodes {
   static QTable trainedTable(const TrainingConfig& config) {
     Training training(config);
     finish(training);
-    return training.learner().tableOf(0);
+    return training.learner().tables().of(0);
   }
 
   TrainingConfig config_;

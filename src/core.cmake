@@ -35,14 +35,13 @@ target_compile_options(${PROJECT_NAME}_warnings INTERFACE -Wall -Wextra -Wpedant
 include_directories(${REPOSITORY}/include ${REPOSITORY}/src)
 include_directories(SYSTEM ${EIGEN3_INCLUDE_DIRS} ${YAML_CPP_INCLUDE_DIR})
 
-# simd/highway_kernels.cpp is added below, if Highway is installed.
 set(CORE_SOURCES)
-foreach(LAYER avoidance common geometry learning library maps meshes navigation population robots scenario simulation training world)
+foreach(LAYER avoidance common geometry learning library maps meshes navigation population robots scenario simd simulation training world)
   file(GLOB_RECURSE LAYER_SOURCES CONFIGURE_DEPENDS ${REPOSITORY}/src/${LAYER}/*.cpp)
   list(APPEND CORE_SOURCES ${LAYER_SOURCES})
 endforeach()
-add_library(${PROJECT_NAME}_core ${CORE_SOURCES} ${REPOSITORY}/src/simd/kernels.cpp ${REPOSITORY}/src/simd/reference.cpp
-  ${REPOSITORY}/src/simd/segment_gaps.cpp)
+list(FILTER CORE_SOURCES EXCLUDE REGEX "/simd/highway_kernels.cpp$")  # added below, if Highway is installed
+add_library(${PROJECT_NAME}_core ${CORE_SOURCES})
 # Fused operations are disabled, so that results are the same on every processor. errno and floating-point exceptions are
 # not used; disabling them allows the vectorisation of loops with square roots and comparisons.
 set(CORE_OPTIONS -ffp-contract=off -fno-math-errno -fno-trapping-math
@@ -60,7 +59,7 @@ endif()
 # The kernels include themselves once for each processor. The list of state sets is often changed.
 set_source_files_properties(
   ${REPOSITORY}/src/learning/states/state_set.cpp ${REPOSITORY}/src/simd/highway_kernels.cpp
-  ${REPOSITORY}/src/simd/kernels.cpp ${REPOSITORY}/src/simd/reference.cpp
+  ${REPOSITORY}/src/simd/kernels.cpp ${REPOSITORY}/src/simd/reference.cpp ${REPOSITORY}/src/simd/segment_gaps.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON
 )
 set_target_properties(${PROJECT_NAME}_core PROPERTIES UNITY_BUILD_BATCH_SIZE 44)

@@ -9,7 +9,8 @@
 
 namespace crowd {
 
-/// @brief Results of one agent in an episode. A new field also belongs in one of the functions below.
+/// @brief Results of one agent in an episode. A new field also belongs in one of the functions below;
+/// `scripts/generate metrics` writes AgentResult.msg from the comments.
 struct AgentResult {
   bool arrived = false;             ///< reached its last goal in time
   bool removed = false;             ///< removed before it arrived; excluded from all metrics
@@ -26,8 +27,8 @@ struct AgentResult {
   double heading = 0.0;          ///< at its arrival, or at the end [rad], `map`
   double path_length = 0.0;      ///< walked [m]
   double straight_length = 0.0;  ///< from the start via all goals, minus the goal tolerance [m]
-  double path_ratio = 0.0;       ///< path_length / (start-goal distance - goal tolerance)
-  double time_ratio = 0.0;       ///< time * maximum speed / (start-goal distance - goal tolerance)
+  double path_ratio = 0.0;       ///< path_length / straight_length
+  double time_ratio = 0.0;       ///< time * maximum speed / straight_length
   double turn_per_metre = 0.0;   ///< summed change of the direction of motion per metre walked [rad/m]
   double max_speed_ratio = 0.0;  ///< fastest tick / maximum speed
   double distance_gained = 0.0;  ///< decrease of the distance to the goal, summed over its goals [m]

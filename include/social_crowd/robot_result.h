@@ -24,11 +24,11 @@ struct RobotInput {
   std::uint64_t commands_late = 0;     ///< that came after the deadline of their tick (lockstep)
   std::uint64_t command_timeouts = 0;  ///< stops because no command arrived within cmd_timeout
   std::uint64_t commands_refused = 0;  ///< invalid commands and those of other publishers
-  std::uint64_t poses_taken = 0;       ///< of a robot that lives elsewhere
+  std::uint64_t poses_taken = 0;       ///< poses that were used, of a robot that lives elsewhere
   std::uint64_t poses_refused = 0;     ///< invalid poses, those older than the last one, and those in unknown frames
-  std::uint64_t pose_jumps = 0;        ///< too far from the last one for the maximum speed
-  std::uint64_t pose_gaps = 0;         ///< more than 0.5 s after the last one
-  std::uint64_t pose_stale = 0;        ///< times at which no pose came for more than 0.5 s
+  std::uint64_t pose_jumps = 0;  ///< poses farther from the last one than 0.1 m and 1.5 times the maximum speed explain
+  std::uint64_t pose_gaps = 0;   ///< poses that came more than 0.5 s after the last one
+  std::uint64_t pose_stale = 0;  ///< times at which no pose came for more than 0.5 s
 
   /// @brief Calls visit(name, field...) for each field; with several objects, for the field of all.
   template <typename Visit, typename... Inputs>

@@ -11,8 +11,10 @@ OF_MESSAGES = ('agent', 'robot', 'goals')  # fields that messages alone have
 UNMEASURED = ('name',)
 OF_TWO_RUNS = ('people_compared', 'people_delay', 'people_detour')
 TYPES = {'bool': 'bool', 'double': 'float64', 'std::uint64_t': 'uint64', 'std::string': 'string'}
+OTHERS = ('std::vector', 'Robot')  # how types of fields begin that are lists or other results
 # A field, and its comment, which may go on in the next lines.
-FIELD = re.compile(rf'^  ({"|".join(TYPES)}) (\w+)(?: = [^;]+)?;((?:\s+///<.*)*)$', re.MULTILINE)
+FIELD = re.compile(r'^  ([\w:<>]+) (\w+)(?: = [^;]+)?;((?:\s+///<.*)*)$', re.MULTILINE)
+ROW = re.compile(r'(\S+) (\w+) *# (.*)')  # of a message
 VISITED = re.compile(r'^    visit\((?:MetricName\{)?"(\w+)".*\.\.\.\);$', re.MULTILINE)
 LIST = re.compile(r'(?:    visit\(MetricName\{.*\}, (\w+)\..*\.\.\.\);\n)+')
 
@@ -38,13 +40,20 @@ class Field(typing.NamedTuple):
 
 def struct_of(text, name):
     """Returns the body of a struct."""
-    return re.search(rf'^struct {name} \{{\n(.*?)^\}};', text, re.DOTALL | re.MULTILINE)[1]
+    found = re.search(rf'^struct {name} \{{\n(.*?)^\}};', text, re.DOTALL | re.MULTILINE)
+    if found is None:
+        raise InputError(f'include/social_crowd: {name}: expected this struct in one of {", ".join(HEADERS)}')
+    return found[1]
 
 
 def fields_of(struct):
-    """Returns {name: Field} of the body of a struct."""
-    return {name: Field(kind, name, ' '.join(re.split(r'\s+///<\s*', comment)[1:]))
-            for kind, name, comment in FIELD.findall(struct)}
+    """Returns {name: Field} of the body of a struct, without lists and other results."""
+    fields = [Field(kind, name, ' '.join(re.split(r'\s+///<\s*', comment)[1:]))
+              for kind, name, comment in FIELD.findall(struct) if not kind.startswith(OTHERS)]
+    for kind, name, _ in fields:
+        if kind not in TYPES:
+            raise InputError(f'include/social_crowd: {name}: its type is {kind}, expected one of {", ".join(TYPES)}')
+    return {field.name: field for field in fields}
 
 
 def with_lists(text, structs):
@@ -68,11 +77,19 @@ def with_missing(lines, fields, names_of, line_of):
     return lines
 
 
+def row_of(line):
+    """Returns type, name and comment of a field of a message."""
+    found = ROW.fullmatch(line)
+    if found is None:
+        raise InputError(f"msg: '{line}': expected a type, a name and a comment")
+    return found.groups()
+
+
 def message_of(text, structs):
     """Returns the text of a message with the fields that structs visit; those in no struct are its own."""
     known = {name: field for struct in structs for name, field in fields_of(struct).items()}
     head, *lines = text.splitlines()
-    rows = [re.fullmatch(r'(\S+) (\w+) *# (.*)', line).groups() for line in lines]
+    rows = [row_of(line) for line in lines]
     rows = [row for row in rows if row[1] in known or row[1] in OF_MESSAGES]
     visited = [known[name] for struct in structs for name in VISITED.findall(struct)]
     rows = with_missing(rows, visited, lambda row: row[1:2], lambda field: field)

@@ -20,8 +20,6 @@ void cutStop(const MoveLimit& limit, const Perception& seen, MoveBlock& moves) {
   simd::kernels().cut_stops(stop, moves.x.data(), moves.y.data(), MoveBlock::SIZE, moves.fraction.data());
 }
 
-std::size_t lowestOf(NeighbourSet set) { return static_cast<std::size_t>(__builtin_ctz(set)); }
-
 }  // namespace
 
 BrakingRule::BrakingRule(const Perception& seen, GapSharing sharing)

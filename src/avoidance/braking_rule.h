@@ -41,7 +41,7 @@ class BrakingRule {
   struct Gap {
     Vector2 normal;  // towards the other; 0 if the centres coincide: then no direction increases the overlap
     double width;    // [m]
-    double along;    // where the agent's centre is nearest to the other, along the normal [m]
+    double along;    // component along the normal of the point of the agent's way nearest to the other [m]
     bool is_sudden;  // it is that of the bodies
   };
   /// Upper bound of where the agent stops, in one direction; if it `is_sudden`, of where it is after the tick.

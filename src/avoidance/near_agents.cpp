@@ -35,7 +35,7 @@ NearAgents::NearAgents(const PerceptionBatch& batch) {
     if (!isFor(seen)) continue;
     for (NeighbourSet left = findNear(seen, 0); left != 0; left &= left - 1) {
       list_[count_++] = {k * static_cast<std::uint32_t>(NEIGHBOURS_AT_ONCE) +
-                         static_cast<std::uint32_t>(__builtin_ctz(left))};
+                         static_cast<std::uint32_t>(lowestOf(left))};
     }
   }
 }

@@ -13,11 +13,13 @@ namespace crowd {
 /// add up to more than the gap [m].
 constexpr double GAP_MARGIN = 1e-9;
 
-/// @brief Number of neighbours that findNear() examines per call.
+/// @brief Number of neighbours that the kernels for near ones examine per call.
 constexpr std::size_t NEIGHBOURS_AT_ONCE = 16;
-static_assert(NeighbourList::PADDING >= NEIGHBOURS_AT_ONCE, "findNear() reads beyond the last neighbour");
+static_assert(NeighbourList::PADDING >= NEIGHBOURS_AT_ONCE, "kernels read beyond the last neighbour");
 /// @brief Subset of NEIGHBOURS_AT_ONCE neighbours: bit i stands for neighbour first + i.
 using NeighbourSet = std::uint32_t;
+/// @brief The lowest bit of a set that is not empty.
+inline std::size_t lowestOf(NeighbourSet set) { return static_cast<std::size_t>(__builtin_ctz(set)); }
 
 /// @brief Returns the neighbours first .. first + NEIGHBOURS_AT_ONCE - 1 (as far as they exist) that, if they are
 /// agents, are near enough for the separation rule to limit a move of one tick at full speed. Obstacles are tested as

@@ -193,7 +193,7 @@ void SeparationRule::cutToGaps(const Perception& perception, MoveBlock* moves, s
   const double reach = self.max_speed * perception.tick_duration;
   for (std::size_t first = 0; first < perception.neighbours.size(); first += NEIGHBOURS_AT_ONCE) {
     for (NeighbourSet left = findLimiting(perception, first); left != 0; left &= left - 1) {
-      const Neighbour neighbour = perception.neighbours[first + static_cast<std::size_t>(__builtin_ctz(left))];
+      const Neighbour neighbour = perception.neighbours[first + lowestOf(left)];
       cutToGap(limitOf(perception, neighbour, sharing_), reach, moves, count);
     }
   }

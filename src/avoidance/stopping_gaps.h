@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "avoidance/near_agents.h"
 #include "geometry/geometry.h"
 #include "simd/kernels.h"
 
@@ -14,7 +15,7 @@ namespace crowd {
 /// serves one decision on one thread.
 class StoppingGaps {
  public:
-  static constexpr std::size_t MAX = 16;
+  static constexpr std::size_t MAX = NEIGHBOURS_AT_ONCE;
 
   /// @param stop where the agent's centre stops, agent frame [m] @param radius of the agent [m]
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): find() writes what is read
@@ -34,7 +35,7 @@ class StoppingGaps {
     if (count_ == 0) return;
     const Segment last{{from_xs_[count_ - 1], from_ys_[count_ - 1]}, {to_xs_[count_ - 1], to_ys_[count_ - 1]}};
     const double last_radius = radii_[count_ - 1];
-    while (count_ % LANES != 0) add(last, last_radius);
+    while (count_ % simd::REGIONS_AT_ONCE != 0) add(last, last_radius);
     simd::kernels().find_gaps(stop_.x(), stop_.y(), radius_,
                               {from_xs_.data(), from_ys_.data(), to_xs_.data(), to_ys_.data(), radii_.data(), count_},
                               {normal_xs_.data(), normal_ys_.data(), widths_.data(), alongs_.data()});
@@ -46,13 +47,12 @@ class StoppingGaps {
   Vector2 normal(std::size_t number) const { return {normal_xs_[number], normal_ys_[number]}; }
   /// @brief Width of a gap, negative if the regions overlap [m].
   double width(std::size_t number) const { return widths_[number]; }
-  /// @brief Where the agent's centre is nearest to the other region, along the normal [m].
+  /// @brief Component along the normal of the point of the agent's way that is nearest to the other [m].
   double along(std::size_t number) const { return alongs_[number]; }
 
  private:
   static constexpr double TOUCHING = 1e-10;  // [m]
-  static constexpr std::size_t LANES = 8;    // of which the kernel needs a multiple
-  static_assert(MAX % LANES == 0, "room for the repeated last one");
+  static_assert(MAX % simd::REGIONS_AT_ONCE == 0, "room for the repeated last one");
   using Numbers = std::array<double, MAX>;
 
   Vector2 stop_;

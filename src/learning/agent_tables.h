@@ -15,8 +15,9 @@ namespace crowd {
 /// @throws ShapeError unless the table has these numbers of rows and actions
 void requireShape(const QTable& table, Row rows, Action actions);
 
-/// @brief The Q-tables of the agents of a learner, which is told of agents by add(). Each has a place: 0, 1, 2 ... in
-/// the order of their first perception. Not thread-safe, except that functions that are const may run concurrently.
+/// @brief The Q-tables of the agents of a learner, which is told of agents by add(). Each has a place, a number from 0
+/// up; new agents get the places of those that were forgotten. Not thread-safe, except that functions that are const
+/// may run concurrently.
 class AgentTables {
  public:
   AgentTables(QTable table, TableUse use) : store_(std::move(table), use) {}
@@ -28,6 +29,7 @@ class AgentTables {
   AgentTables& operator=(AgentTables&&) = default;
   ~AgentTables() = default;
 
+  /// @brief Whether agents share one table.
   TableUse use() const { return store_.use(); }
   /// @brief The table that an agent uses; for an unknown agent, the table that it would begin with.
   const QTable& of(AgentId agent) const { return store_.table(placeOf(agent)); }

@@ -257,7 +257,7 @@ std::optional<DecisionValues> Learner::valuesOf(const Perceptions& perceptions, 
   perceive(
       perceptions, index, index + 1, [this](AgentId id) { return tables_.placeOf(id); }, workspace);
   findRows(workspace);
-  const QTable& table = tableOf(agent);
+  const QTable& table = tables_.of(agent);
   const Rows rows = rowsOf(workspace, 0);
   for (Action action = 0; action < table.actions(); ++action) {
     const Row row = rows[action];

@@ -125,8 +125,6 @@ class Learner {
   /// @brief The tables of the agents, to share, save and replace them.
   AgentTables& tables() { return tables_; }
   const AgentTables& tables() const { return tables_; }
-  /// @brief The table that an agent uses; for an unknown agent, the table that it would begin with.
-  const QTable& tableOf(AgentId agent) const { return tables_.of(agent); }
 
   /// @brief Discards the recorded decisions and traces, so that nothing is learned across an interruption.
   void forgetDecisions();

@@ -2,6 +2,8 @@
 
 #include "simd/kernels.h"
 
+// Vectors of SVE have no fixed size, and cannot be members of classes.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "simd/highway_kernels.cpp"
 #include <hwy/foreach_target.h>

@@ -25,6 +25,9 @@ struct NearestPair {
 /// end of one of them.
 NearestPair nearestPair(const PlaneSegment& first, const PlaneSegment& second);
 
+/// @brief The number of regions that a kernel is given is a multiple of it.
+constexpr std::size_t REGIONS_AT_ONCE = 8;
+
 /// @brief Regions that bodies may cover: discs that move along segments. Arrays of `count` elements.
 struct RegionArrays {
   const double* from_xs;  ///< [m]
@@ -32,7 +35,7 @@ struct RegionArrays {
   const double* to_xs;
   const double* to_ys;
   const double* radii;  ///< [m]
-  std::size_t count;    ///< a multiple of 8
+  std::size_t count;    ///< a multiple of REGIONS_AT_ONCE
 };
 
 /// @brief Gaps between the region of an agent and those of others. Arrays of as many elements as there are others.
@@ -40,7 +43,7 @@ struct GapArrays {
   double* normal_xs;  ///< unit vector towards the other; 0 if the segments have a common point
   double* normal_ys;
   double* widths;  ///< negative: the regions overlap [m]
-  double* alongs;  ///< where the centre of the agent's disc is nearest to the other, along the normal [m]
+  double* alongs;  ///< component along the normal of the point of the agent's segment nearest to the other [m]
 };
 
 /// @brief Finds the gaps between the region of a disc that moves from the origin to a point, and other regions.

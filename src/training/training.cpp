@@ -88,7 +88,7 @@ std::vector<LearnedEpisode> Training::runNextTurn() {
   const std::uint64_t each = learners() == 1 ? 1 : config_.training.turn;
   const Turn turn{each, std::min(config_.training.episodes - episode_, each * learners())};
   std::optional<QTable> table;  // before the turn
-  if (learners() > 1) table = learner().tableOf(0);
+  if (learners() > 1) table = learner().tables().of(0);
   std::vector<LearnedEpisode> episodes = runEpisodes(turn);
   const Stopwatch exchange(CLOCK_MONOTONIC, times_.exchange_seconds);
   if (communicator_.size() > 1) collect(episodes);
@@ -162,12 +162,12 @@ LearnedEpisode Training::runOne(std::size_t own, std::uint64_t episode_number) {
   learned.reward = learned.decisions > 0 ? learner.episodeReward() / static_cast<double>(learned.decisions)
                                          : std::numeric_limits<double>::quiet_NaN();
   learned.epsilon = config_.learning.epsilon.at(episode_number);
-  if (counts_rows_) learned.visited_rows = visited_rows_ + learner.tableOf(0).newRows();
+  if (counts_rows_) learned.visited_rows = visited_rows_ + learner.tables().of(0).newRows();
   return learned;
 }
 
 void Training::noteVisitedRows() {
-  if (counts_rows_) visited_rows_ = learner().tableOf(0).visitedRows() - learner().tableOf(0).newRows();
+  if (counts_rows_) visited_rows_ = learner().tables().of(0).visitedRows() - learner().tables().of(0).newRows();
 }
 
 void Training::countVisitedRows() {
@@ -179,7 +179,7 @@ TrainingState Training::state() const {
   std::map<AgentId, QTable> own;
   const QTable& table = learner().tables().base();
   for (const AgentId agent : learner().servedAgents()) {
-    if (&learner().tableOf(agent) != &table) own.emplace(agent, learner().tableOf(agent));
+    if (&learner().tables().of(agent) != &table) own.emplace(agent, learner().tables().of(agent));
   }
   return {episode_, decisions_before_, decisions_, headings_, table, std::move(own)};
 }
@@ -209,7 +209,7 @@ void Training::restore(TrainingState state) {
 
 void Training::merge(QTable table) {
   std::vector<const QTable*> copies;
-  for (const Learner& learner : learners_) copies.push_back(&learner.tableOf(0));
+  for (const Learner& learner : learners_) copies.push_back(&learner.tables().of(0));
   const LearningRateSchedule learning_rates(config_.learning.parameters);
   if (communicator_.size() == 1) {
     thread_pool_.run(table.rows(), [&](unsigned /*worker*/, std::size_t begin, std::size_t end) {
@@ -231,7 +231,7 @@ TurnsReport Training::report() const { return reportOf(communicator_, times_, le
 TrainedTable Training::trained() const {
   LearningParameters parameters = learner().parameters();
   if (episode_ > 0) parameters.epsilon = config_.learning.epsilon.at(episode_ - 1);  // that of the last episode
-  return {config_.model, parameters, allDecisions(), config_.training.seed, learner().tableOf(0)};
+  return {config_.model, parameters, allDecisions(), config_.training.seed, learner().tables().of(0)};
 }
 
 }  // namespace crowd

@@ -19,13 +19,14 @@ class Obstacles {
 
   /// @brief All obstacles, also recorded people who are not present now.
   const std::vector<Obstacle>& list() const { return list_; }
+  /// @brief Whether an obstacle is in the world now: a recorded person is from its first to its last record.
   bool isPresent(std::size_t number) const { return list_[number].path.isPresent(time_); }
 
   /// @brief Moves them to where they are at a time [s]. @return whether some have appeared or are gone since addTo()
   bool moveTo(double time);
   /// @brief Appends those that are present to a grid. @param first_body number of obstacle 0 there
   void addTo(NeighbourGrid& grid, std::size_t first_body);
-  /// @brief Moves them in this grid. @param first index in it of the first one that is present
+  /// @brief Moves them in the grid of the last addTo(). @param first index in it of the first one that is present
   void moveIn(NeighbourGrid& grid, std::size_t first) const;
   /// @brief Appends those that are present as solid bodies. @param end time of the end of the tick [s] @param move
   /// whether they move until then

@@ -127,13 +127,14 @@ class World {
     std::size_t begin = 0;
     std::size_t end = static_cast<std::size_t>(-1);
 
+    static BodyRange all() { return {}; }
     bool contains(std::size_t body) const { return begin <= body && body < end; }
   };
 
   double endOfTick() const { return static_cast<double>(tick_ + 1) * tick_duration_; }
   void hold(Agent& agent, const RelativeAction* action) const;
   void beginMove(Agent& agent, const RelativeAction* action) const;
-  /// Computes the motions of solid bodies; those that are not moving stand still.
+  /// Computes the motions of solid bodies; those outside the range stand still.
   void computeSolidMotions(const BodyRange& moving);
   /// Carries out these motions.
   void carryOutSolidMotions(const BodyRange& moving);

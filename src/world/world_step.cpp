@@ -49,12 +49,12 @@ void World::beginStep(const std::vector<AgentAction>& actions, ThreadPool& threa
       },
       ThreadPool::FEW_SHORT_ITEMS);
   robots_.beginMoves(agents_.values(), robots_.empty() ? std::vector<Neighbour>() : recordedPeople());
-  if (contact_ == Contact::SOLID) computeSolidMotions({});
+  if (contact_ == Contact::SOLID) computeSolidMotions(BodyRange::all());
 }
 
 void World::endStep(ThreadPool& thread_pool) {
   if (contact_ == Contact::SOLID) {
-    carryOutSolidMotions({});
+    carryOutSolidMotions(BodyRange::all());
   } else {
     robots_.noteGhostContacts({agents_.values().data(), agents_.size()}, tick_duration_);
     robots_.noteGhostContacts(recordedMotions());

@@ -190,7 +190,7 @@ QTable learnFromOne(Learner& learner, std::vector<Action>& decisions) {
       for (const AgentAction& action : decide(learner, scene).agents) decisions.push_back(actionOf(action));
     }
   }
-  return learner.tableOf(0);
+  return learner.tables().of(0);
 }
 
 TEST(Decisions, OfOneAgentAreThoseOfAListOfOneAgent) {

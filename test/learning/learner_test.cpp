@@ -131,7 +131,7 @@ TEST(Learner, LearnsNothingInDemoMode) {
     EXPECT_EQ(decideOne(learner, tick(i, i % 4, 20.0 - static_cast<double>(i))), 2 * (i % 4));
   }
   decide(learner, tick(20, 0, 0.0).arrived());
-  EXPECT_EQ(learner.tableOf(0), towardsGoal());
+  EXPECT_EQ(learner.tables().of(0), towardsGoal());
   EXPECT_EQ(learner.decisions(), 0U);
 }
 
@@ -148,7 +148,7 @@ TEST(Learner, AppliesNewParametersAtOnce) {
   decide(learner, tick(0, 0, 4.0));
   learner.setPlan({{0.25, 0.0, 0.0, 0.0}, EpsilonSchedule::constant(0.0)});
   decide(learner, tick(1, 0, 0.0));
-  EXPECT_EQ(learner.tableOf(0).value(0, 0), 1.0);  // a quarter of 4
+  EXPECT_EQ(learner.tables().of(0).value(0, 0), 1.0);  // a quarter of 4
   EXPECT_EQ(learner.parameters().alpha, 0.25);
 }
 
@@ -225,11 +225,11 @@ TEST(Learner, LooksUpEachActionInItsOwnRow) {
   EXPECT_NEAR(first.agents.at(0).action.rotation, PI, 1e-12);
   EXPECT_EQ(first.agents.at(1).action.rotation, 0.0);
   decide(learner, PerceptionsBuilder(0, 1).agent(0, {1.0, 0.0}).agent(1, {2.0, 0.0}));
-  EXPECT_EQ(learner.tableOf(1).value(2, 1), 4.5);    // 0 + 0.5 * 6 = 3: from 6 down by half of 3
-  EXPECT_EQ(learner.tableOf(1).value(1, 0), 4.125);  // 2 + 0.5 * 4.5 = 4.25: from 4 up by half of 0.25
-  EXPECT_EQ(learner.tableOf(1).visits(2, 1), 2U);
-  EXPECT_EQ(learner.tableOf(1).visits(1, 0), 2U);
-  EXPECT_EQ(learner.tableOf(1).visits(3, 1), 1U);
+  EXPECT_EQ(learner.tables().of(1).value(2, 1), 4.5);    // 0 + 0.5 * 6 = 3: from 6 down by half of 3
+  EXPECT_EQ(learner.tables().of(1).value(1, 0), 4.125);  // 2 + 0.5 * 4.5 = 4.25: from 4 up by half of 0.25
+  EXPECT_EQ(learner.tables().of(1).visits(2, 1), 2U);
+  EXPECT_EQ(learner.tables().of(1).visits(1, 0), 2U);
+  EXPECT_EQ(learner.tables().of(1).visits(3, 1), 1U);
 }
 
 TEST(Learner, UsesOnlyWhatIsWithinTheVisionOfItsModel) {

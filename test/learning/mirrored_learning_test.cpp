@@ -111,7 +111,7 @@ QTable trainedTable(const Model& model, bool mirrored, double lambda) {
   options.plan.epsilon = EpsilonSchedule::constant(0.2);
   Learner learner(model, options);
   for (std::uint64_t tick = 0; tick < 200; ++tick) decide(learner, randomTick(11, 0, tick, 6));
-  return learner.tableOf(0);
+  return learner.tables().of(0);
 }
 
 TEST(MirroredLearning, KeepsATableSymmetricBitForBit) {
@@ -137,17 +137,17 @@ TEST(MirroredLearning, FollowsChangesOfTheParameters) {
   };
   LearningParameters parameters = options.plan.parameters;
   gain_in_row_one(0);
-  EXPECT_FALSE(learner.tableOf(0).isVisited(3));
+  EXPECT_FALSE(learner.tables().of(0).isVisited(3));
   parameters.mirrored = true;
   learner.setPlan({parameters, options.plan.epsilon});
   gain_in_row_one(10);
-  EXPECT_EQ(learner.tableOf(0).visits(3, 0), 1U);
+  EXPECT_EQ(learner.tables().of(0).visits(3, 0), 1U);
   EXPECT_EQ(learner.decisions(), 2U);  // mirrored updates are not counted as decisions
   parameters.mirrored = false;
   learner.setPlan({parameters, options.plan.epsilon});
   gain_in_row_one(20);
-  EXPECT_EQ(learner.tableOf(0).visits(3, 0), 1U);
-  EXPECT_EQ(learner.tableOf(0).visits(1, 0), 3U);
+  EXPECT_EQ(learner.tables().of(0).visits(3, 0), 1U);
+  EXPECT_EQ(learner.tables().of(0).visits(1, 0), 3U);
 }
 
 TEST(MirroredLearning, IsReadFromTheConfiguration) {

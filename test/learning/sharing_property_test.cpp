@@ -56,7 +56,7 @@ class Crowd {
 
   void check() {
     for (std::size_t i = 0; i < learners_.size(); ++i) {
-      for (AgentId agent = 0; agent < AGENTS; ++agent) check(learners_[i].tableOf(agent), *known(i, agent));
+      for (AgentId agent = 0; agent < AGENTS; ++agent) check(learners_[i].tables().of(agent), *known(i, agent));
     }
   }
 
@@ -82,7 +82,7 @@ class Crowd {
   /// A few decisions of all its agents; what they add to a table is new experience.
   void walk(std::size_t learner) {
     std::vector<QTable> before;
-    for (AgentId agent = 0; agent < AGENTS; ++agent) before.push_back(learners_[learner].tableOf(agent));
+    for (AgentId agent = 0; agent < AGENTS; ++agent) before.push_back(learners_[learner].tables().of(agent));
     const std::uint64_t ticks = 2 + random_.below(4);
     for (std::uint64_t tick = 0; tick < ticks; ++tick) {
       PerceptionsBuilder perceptions(episode_, tick);
@@ -93,7 +93,7 @@ class Crowd {
     }
     ++episode_;
     for (AgentId agent = 0; agent < (shares(learner) ? 1 : AGENTS); ++agent) {
-      noteLearned(before[agent], learners_[learner].tableOf(agent), *known(learner, agent));
+      noteLearned(before[agent], learners_[learner].tables().of(agent), *known(learner, agent));
     }
   }
 
@@ -116,15 +116,16 @@ class Crowd {
       for (AgentId agent = 0; agent < AGENTS; ++agent) teach(*known(to, agent), given, method);
     } else {
       const AgentId agent = random_.below(AGENTS);
-      const QTable old = learners_[to].tableOf(agent);
+      const QTable old = learners_[to].tables().of(agent);
       const AgentTables::Taken taken = learners_[to].tables().take(agent, table, method);
-      if (method == TakeMethod::MERGE) checkValues(old, *known(to, agent), table, given, learners_[to].tableOf(agent));
+      if (method == TakeMethod::MERGE)
+        checkValues(old, *known(to, agent), table, given, learners_[to].tables().of(agent));
       const std::uint64_t news = teach(*known(to, agent), given, method);
       EXPECT_EQ(taken.new_visits, news);
       EXPECT_EQ(taken.visits, countOf(*known(to, agent)));
-      const QTable before = learners_[to].tableOf(agent);
+      const QTable before = learners_[to].tables().of(agent);
       EXPECT_EQ(learners_[to].tables().take(agent, table, TakeMethod::MERGE).new_visits, 0U);
-      EXPECT_EQ(learners_[to].tableOf(agent), before);
+      EXPECT_EQ(learners_[to].tables().of(agent), before);
     }
   }
 

@@ -152,7 +152,7 @@ TEST(Ties, DoNotChangeDecisionsWithASingleBestAction) {
     const PerceptionsBuilder scene = learners::randomTick(3, 0, tick, AGENTS);
     EXPECT_EQ(toActions(decide(first, scene).agents), toActions(decide(random, scene).agents)) << "tick " << tick;
   }
-  EXPECT_TRUE(first.tableOf(0) == random.tableOf(0));
+  EXPECT_TRUE(first.tables().of(0) == random.tables().of(0));
 }
 
 TEST(Ties, ExplorationUsesASeparateRandomNumber) {
@@ -178,12 +178,12 @@ TEST(Ties, RandomTiesDoNotCutTraces) {
     EXPECT_EQ(learners::decideOne(learner, learners::tick(0, 1, 4.0)), 3U);
     const Action tied = learners::decideOne(learner, learners::tick(1, 0, 4.0));
     // Nothing was gained: 2 + 0.5 * (0 + 0.5 * 2 - 2) = 1.5.
-    EXPECT_EQ(learner.tableOf(0).value(1, 3), 1.5);
-    EXPECT_EQ(learner.tableOf(0).value(0, tied), 2.0);
+    EXPECT_EQ(learner.tables().of(0).value(1, 3), 1.5);
+    EXPECT_EQ(learner.tables().of(0).value(0, tied), 2.0);
     decide(learner, learners::tick(2, 2, 1.0));
     // 3 m were gained, and row 2 promises nothing: half of 3 - 2 is a step of 0.5, of which 0.5 * 0.5 reach row 1.
-    EXPECT_EQ(learner.tableOf(0).value(0, tied), 2.5);
-    EXPECT_EQ(learner.tableOf(0).value(1, 3), 1.625);
+    EXPECT_EQ(learner.tables().of(0).value(0, tied), 2.5);
+    EXPECT_EQ(learner.tables().of(0).value(1, 3), 1.625);
   }
 }
 

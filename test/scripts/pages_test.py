@@ -155,6 +155,13 @@ class TypesTableTest:
         generate(words)
         assert read_text(page) == page_text('state_sets.md')
 
+    def test_a_page_without_the_table(self, tmp_path):
+        page = tmp_path / 'docs' / 'state_sets.md'
+        page.parent.mkdir()
+        page.write_text(page_text('state_sets.md').replace('<!-- types -->', ''), encoding='utf-8')
+        with pytest.raises(InputError, match='has 0 tables'):
+            generate(['types', '--check', '--package', str(tmp_path), '--tools', tools_folder()])
+
 
 class ColumnsTest:
     """Columns of CSV files are those of the pages."""
@@ -193,6 +200,20 @@ class ColumnsTest:
             '| `mean_noise` | dB | | of the robot, above \\| silence |\n' in page
         assert '| `min_jerk`, `avg_jerk` | m/s^3 |' in page
         assert 'max_jerk' not in read_text(header) + page + '\n'.join(message)
+
+    @pytest.mark.parametrize('file, old, new, error', [
+        ('include/social_crowd/robot_result.h', 'double path_length', 'int path_length', 'path_length: its type is int'),
+        ('include/social_crowd/results.h', 'struct AgentResult', 'struct Result', 'AgentResult: expected this struct'),
+        ('msg/AgentResult.msg', '# walked', 'walked', 'expected a type, a name and a comment'),
+    ])
+    def test_a_field_that_cannot_be_written(self, tmp_path, file, old, new, error):
+        for folder in ('include', 'msg', 'docs'):
+            shutil.copytree(in_package(folder), tmp_path / folder)
+        text = read_text(tmp_path / file)
+        assert old in text
+        (tmp_path / file).write_text(text.replace(old, new, 1), encoding='utf-8')
+        with pytest.raises(InputError, match=error):
+            generate(['metrics', '--package', str(tmp_path)])
 
     def test_goals_and_ticks_of_robots(self, runner):
         goals, series = runner.path('goals.csv'), runner.path('series')

@@ -92,7 +92,7 @@ TEST_F(SideBySide, OneLearnerAgreesWithSequentialTraining) {
   Learner learner(plain.model, options);
   const ScenarioList list = parseScenarios(scenarios(), "s.yaml");
   for (std::uint64_t episode = 0; episode < 12; ++episode) runScene(list.scene(5, episode), episode, learner);
-  EXPECT_EQ(training.trained().table, learner.tableOf(0));
+  EXPECT_EQ(training.trained().table, learner.tables().of(0));
   EXPECT_EQ(training.trained().decisions, learner.decisions());
   EXPECT_EQ(training.trained().parameters.epsilon, learner.parameters().epsilon);
 }
@@ -113,7 +113,7 @@ TEST_F(SideBySide, TurnsMergeTheTablesOfAllLearners) {
     for (const std::vector<std::uint64_t>& episodes : turn) {
       Learner learner(two.model, options, expected);
       for (const std::uint64_t episode : episodes) runScene(list.scene(5, episode), episode, learner);
-      tables.push_back(learner.tableOf(0));
+      tables.push_back(learner.tables().of(0));
       decisions += learner.decisions();
     }
     mergeCopies({&tables[0], &tables[1]}, LearningRateSchedule(two.learning.parameters), 0, expected.rows(), expected);

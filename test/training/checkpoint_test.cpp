@@ -49,7 +49,7 @@ class CheckpointTest : public testing::Test {
   /// Everything that a training gives: its table, and with own tables also that of agent 1.
   static std::string resultOf(const Training& training) {
     TrainedTable second = training.trained();
-    second.table = training.learner().tableOf(1);
+    second.table = training.learner().tables().of(1);
     return toText(training.trained()) + toText(second);
   }
 
@@ -110,7 +110,7 @@ TEST_F(CheckpointTest, KeepsTheSourcesOfATableThatTheTrainingBeganWith) {
     Training second(config(tables));
     second.restore(parse(checkpointOf(first), second).state);
     EXPECT_EQ(second.decisions(), first.decisions());
-    EXPECT_EQ(second.learner().tableOf(0).foreign().size(), 2U);
+    EXPECT_EQ(second.learner().tables().of(0).foreign().size(), 2U);
     run(second, 12);
     EXPECT_EQ(resultOf(second), resultOf(whole));
   }

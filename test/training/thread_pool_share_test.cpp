@@ -41,7 +41,7 @@ Walked walk(const Scene& scene, Mode mode, unsigned threads, bool at_once = fals
   while (!at_once && episode.walk(decider)) continue;
   for (; !episode.isOver(); episode.step(actions.agents)) learner.decide(episode.perceptions(), actions);
   if (at_once) learner.decide(episode.perceptions(), actions);
-  Walked walked{stateOf(episode.world()), {}, learner.tableOf(0)};
+  Walked walked{stateOf(episode.world()), {}, learner.tables().of(0)};
   for (const AgentResult& agent : episode.result().agents) {
     walked.metrics.insert(walked.metrics.end(), {agent.path_length, agent.turn_per_metre, agent.touched ? 1.0 : 0.0});
   }

@@ -166,11 +166,11 @@ TEST(Training, AgentsWithOwnTablesLearnSeparately) {
   folder.write("s.yaml", twoAgents("pair"));
   Training training(configFor(folder, "s.yaml", 5, 1, ", tables: own"));
   while (!training.isDone()) training.runNextTurn();
-  EXPECT_TRUE(training.learner().tableOf(0) != training.learner().tableOf(1));
-  EXPECT_TRUE(training.trained().table == training.learner().tableOf(0));  // of agent 0
+  EXPECT_TRUE(training.learner().tables().of(0) != training.learner().tables().of(1));
+  EXPECT_TRUE(training.trained().table == training.learner().tables().of(0));  // of agent 0
   Training shared(configFor(folder, "s.yaml", 5, 1));
   shared.runNextTurn();
-  EXPECT_TRUE(shared.learner().tableOf(0) == shared.learner().tableOf(1));
+  EXPECT_TRUE(shared.learner().tables().of(0) == shared.learner().tables().of(1));
 }
 
 TEST(Training, ContinuesFromATable) {
@@ -185,19 +185,19 @@ TEST(Training, ContinuesFromATable) {
   EXPECT_EQ(more.decisions(), result.agents[0].ticks + result.agents[1].ticks);
   EXPECT_EQ(more.trained().decisions, first.decisions + more.decisions());
   // Both agents continued from the given table, each with its own copy.
-  EXPECT_TRUE(more.learner().tableOf(0) != first.table);
-  EXPECT_TRUE(more.learner().tableOf(0) != more.learner().tableOf(1));
+  EXPECT_TRUE(more.learner().tables().of(0) != first.table);
+  EXPECT_TRUE(more.learner().tables().of(0) != more.learner().tables().of(1));
   for (const AgentId agent : {0U, 1U}) {
     std::uint64_t visits = 0;
     for (Row row = 0; row < first.table.rows(); ++row) {
       for (Action action = 0; action < first.table.actions(); ++action) {
-        visits += more.learner().tableOf(agent).visits(row, action) - first.table.visits(row, action);
+        visits += more.learner().tables().of(agent).visits(row, action) - first.table.visits(row, action);
       }
     }
     EXPECT_EQ(visits, result.agents[agent].ticks);
     // The visits of the given table are not new.
-    EXPECT_EQ(more.learner().tableOf(agent).newVisitsOf(first.table), 0U);
-    EXPECT_EQ(first.table.newVisitsOf(more.learner().tableOf(agent)), visits);
+    EXPECT_EQ(more.learner().tables().of(agent).newVisitsOf(first.table), 0U);
+    EXPECT_EQ(first.table.newVisitsOf(more.learner().tables().of(agent)), visits);
   }
 }
 

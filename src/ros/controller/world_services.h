@@ -22,8 +22,8 @@
 #include "simulation/episode.h"
 
 /// Handlers of the services that change the world, between two ticks. They return what was done, up to the time.
-/// @throws InputError if the request is refused; nothing has changed then. A new one also belongs in
-/// visitWorldServices().
+/// A new one also belongs in visitWorldServices(). @throws InputError if the request is refused; nothing has changed
+/// then
 namespace crowd {
 
 std::string serve(Episode& episode, const social_crowd::SpawnAgent::Request& request,
@@ -57,7 +57,7 @@ std::string serve(Episode& episode, const social_crowd::AddGate::Request& reques
 std::string serve(Episode& episode, const social_crowd::SetGate::Request& request,
                   social_crowd::SetGate::Response& response);
 
-/// @brief Calls visit(name, service) for each of them.
+/// @brief Calls visit(name, service) for each of them; a service is an object that only gives the type.
 template <typename Visit>
 void visitWorldServices(const Visit& visit) {
   visit(names::SPAWN_AGENT, social_crowd::SpawnAgent());

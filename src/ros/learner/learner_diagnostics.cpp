@@ -36,7 +36,7 @@ void reportDecisions(const LearnerSample& before, const LearnerSample& now, Diag
 }
 
 void reportTable(const Learner& learner, AgentId agent, DiagnosticStatusWrapper& report) {
-  const QTable& table = learner.tableOf(agent);
+  const QTable& table = learner.tables().of(agent);
   const std::size_t cells = std::size_t{table.rows()} * table.actions();
   const Row visited = table.visitedRows();
   if (visited == 0 && learner.mode() == Mode::DEMO) {

@@ -188,9 +188,9 @@ social_crowd::LearnerStatus LearnerNode::status() const {
   status.shares = learner_.share().count;
   if (!learner_.servesAll()) status.perceptions_topic = perceptions_subscriber_.getTopic();
   status.model = learner_.model().spec();
-  status.rows = learner_.tableOf(first).rows();
-  status.actions = learner_.tableOf(first).actions();
-  status.visited_rows = learner_.tableOf(first).visitedRows();
+  status.rows = learner_.tables().of(first).rows();
+  status.actions = learner_.tables().of(first).actions();
+  status.visited_rows = learner_.tables().of(first).visitedRows();
   status.decisions = learner_.decisions();
   status.alpha = learner_.parameters().alpha;
   status.gamma = learner_.parameters().gamma;

@@ -27,7 +27,7 @@ std::string visitedRowsOf(const QTable& table) {
 
 void LearnerNode::saveAll(bool goes_on) {
   const auto save = [&](const std::string& file, AgentId agent) {
-    const TrainedTable table = trained(goes_on ? learner_.tables().toSave(agent) : learner_.tableOf(agent));
+    const TrainedTable table = trained(goes_on ? learner_.tables().toSave(agent) : learner_.tables().of(agent));
     saveQTable(file, table);
     logInfo("saved " + visitedRowsOf(table.table) + " to " + file);
   };

@@ -2,7 +2,8 @@
 
 #include <string>
 
-/// Names that several files use; another one stands where it is advertised.
+/// Names of topics, services and frames that several files use; another topic or service is named where it is
+/// advertised.
 namespace crowd::names {
 
 // Topics; relative, so that namespaces and remapping work.

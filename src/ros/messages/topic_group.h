@@ -27,9 +27,11 @@ class TopicGroup {
     topics_.push_back({node.advertise<Message>(topic, QUEUE), publish});
   }
 
+  /// @brief Whether any of the topics has subscribers.
   bool haveSubscribers() const {
     return std::any_of(topics_.begin(), topics_.end(), [](const Topic& topic) { return topic.isHeard(); });
   }
+  /// @brief Publishes a message from the data on each topic that has subscribers.
   void publish(Data... data) const {
     for (const Topic& topic : topics_) {
       if (topic.isHeard()) topic.publish(topic.publisher, data...);

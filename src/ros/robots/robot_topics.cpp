@@ -12,19 +12,19 @@ RobotTopics::RobotTopics(const ros::NodeHandle& node, const RobotStart& start, R
     : own_(node, start.name_space), id_(id), start_(start), prefix_(framePrefix(start)) {
   own_.setCallbackQueue(node.getCallbackQueue());
   if (start.drive != Drive::EXTERNAL) odometry_ = own_.advertise<nav_msgs::Odometry>(names::ODOMETRY, QUEUE);
-  of_scans_.advertise(own_, names::SCAN, [this](const Tick& tick) {
+  scan_topics_.advertise(own_, names::SCAN, [this](const Tick& tick) {
     return scanMessage(tick.senses.ranges(tick.world, id_), tick.world.tickDuration(), tick.now);
   });
-  of_scans_.advertise(own_, "scan_cloud", [this](const Tick& tick) {
+  scan_topics_.advertise(own_, "scan_cloud", [this](const Tick& tick) {
     return stamped(toCloud(start_.scan, tick.senses.ranges(tick.world, id_)), names::LASER_FRAME, tick.now);
   });
   if (start.scan.rings > 0) {
-    of_scans_.advertise(own_, "points", [this](const Tick& tick) {
+    scan_topics_.advertise(own_, "points", [this](const Tick& tick) {
       return stamped(toCloud(tick.senses.points(tick.world, id_)), names::LASER_FRAME, tick.now);
     });
   }
   people_ = peopleTopics(own_);
-  of_ticks_.advertise(own_, "footprint", [this](const Tick& tick) {
+  tick_topics_.advertise(own_, "footprint", [this](const Tick& tick) {
     geometry_msgs::PolygonStamped footprint;
     footprint.polygon = toMessage(start_.footprint);
     return stamped(footprint, names::BASE_FRAME, tick.now);
@@ -42,9 +42,9 @@ std_msgs::Header RobotTopics::header(const std::string& frame, const ros::Time& 
 void RobotTopics::publish(const World& world, RobotSenses& senses, const ros::Time& now) {
   const Tick tick{world, senses, now};
   publishOdometry(senses.odometry(id_), senses.covariance(id_), now);
-  if (world.tick() % scanTicks(start_.scan, world.tickDuration()) == 0) of_scans_.publish(tick);
+  if (world.tick() % scanTicks(start_.scan, world.tickDuration()) == 0) scan_topics_.publish(tick);
   publishPeople(tick);
-  of_ticks_.publish(tick);
+  tick_topics_.publish(tick);
 }
 
 void RobotTopics::publishOdometry(const Odometry& odometry, const OdometryCovariance& covariance,

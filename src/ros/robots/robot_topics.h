@@ -76,9 +76,9 @@ class RobotTopics {
   std::string prefix_;  // of frames
   std::optional<Vector2> goal_;
   ros::Publisher odometry_;
-  TopicGroup<const Tick&> of_scans_;  // when a scan is due
+  TopicGroup<const Tick&> scan_topics_;  // when a scan is due
   PeopleTopics people_;
-  TopicGroup<const Tick&> of_ticks_;
+  TopicGroup<const Tick&> tick_topics_;
   ros::Publisher goals_;
   std::vector<ros::Subscriber> subscribers_;
 };
