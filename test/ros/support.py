@@ -67,8 +67,8 @@ def service_class(name):
 
 
 def late(receive):
-    """Returns `receive`, delayed by a random time of up to LATENESS, which is the same for all messages. Nothing promises
-    that messages of two topics come in the order in which they were sent: this shows tests that rely on it."""
+    """Returns `receive`, delayed by a random time of up to LATENESS, which is the same for all messages. Nothing
+    promises that messages of two topics come in the order in which they were sent: this shows tests that rely on it."""
     if not LATENESS:
         return receive
     seconds = random.uniform(0, LATENESS)

@@ -202,7 +202,7 @@ class ColumnsTest:
         assert 'max_jerk' not in read_text(header) + page + '\n'.join(message)
 
     @pytest.mark.parametrize('file, old, new, error', [
-        ('include/social_crowd/robot_result.h', 'double path_length', 'int path_length', 'path_length: its type is int'),
+        ('include/social_crowd/robot_result.h', 'double path_length', 'int path_length', 'its type is int'),
         ('include/social_crowd/results.h', 'struct AgentResult', 'struct Result', 'AgentResult: expected this struct'),
         ('msg/AgentResult.msg', '# walked', 'walked', 'expected a type, a name and a comment'),
     ])
