@@ -7,6 +7,21 @@ import {launchBrowser, openPage, PATIENCE} from './browser.mjs';
 const until = (page, expression) => page.waitForFunction(expression, {timeout: PATIENCE, polling: 50});
 const value = (page, expression) => page.evaluate(expression);
 const press = (page, label) => page.locator(`::-p-aria(${label}[role="button"])`).setTimeout(PATIENCE).click();
+/** Makes steps until an expression is true: nodes may not have heard yet what the steps depend on. */
+async function stepUntil(page, expression) {
+  const end = Date.now() + PATIENCE;
+  for (let isTrue = false; !isTrue;) {
+    const tick = await value(page, TICK);
+    await press(page, 'Step');
+    await until(page, `${TICK} > ${tick}`);
+    isTrue = await page.waitForFunction(expression, {timeout: 1000, polling: 50}).then(() => true, () => false);
+    if (!isTrue && Date.now() > end) {
+      throw new Error(`no step led to ${expression}`);
+    }
+  }
+}
+/** Waits until the last tick is shown, so that nobody moves any more. */
+const untilStill = (page) => until(page, 'socialCrowd.player.time >= socialCrowd.player.history.last.time - 1e-6');
 const TICK = 'socialCrowd.player.history.last.tick';
 const PEOPLE = 'socialCrowd.picture.crowd.count';
 
@@ -84,9 +99,10 @@ const CHECKS = {
     await press(page, 'Set goal');
     await page.mouse.click(...await pixelOf(page, [2, 2]));
     await until(page, 'Math.abs(socialCrowd.picture.goalOf(socialCrowd.tools.selected)[0] - 2) < 0.1');
-    await press(page, 'Step');
-    await until(page, 'socialCrowd.mind?.agent === socialCrowd.tools.selected && socialCrowd.mind.actions.length > 1');
+    // The learner listens to who is selected a while after the selection.
+    await stepUntil(page, 'socialCrowd.mind?.agent === socialCrowd.tools.selected && socialCrowd.mind.actions.length > 1');
     await press(page, 'Remove');
+    await untilStill(page);
     await page.mouse.click(...await pixelOf(page, await place()));
     await until(page, `${PEOPLE} === ${people} - 1`);
   },
@@ -176,7 +192,8 @@ try {
       results[name] = 'ok';
     } catch (error) {
       const shown = await value(page, 'document.getElementById("messages").textContent');
-      results[name] = `${error.message} (messages: ${shown})`;
+      const places = (error.stack.match(/page_checks\.mjs:\d+/g) ?? []).join(', ');
+      results[name] = `${places}: ${error.message} (messages: ${shown})`;
     }
   }
 } finally {
