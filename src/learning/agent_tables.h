@@ -29,7 +29,7 @@ class AgentTables {
   AgentTables& operator=(AgentTables&&) = default;
   ~AgentTables() = default;
 
-  /// @brief Whether agents share one table.
+  /// @brief Whether agents share one table or have their own.
   TableUse use() const { return store_.use(); }
   /// @brief The table that an agent uses; for an unknown agent, the table that it would begin with.
   const QTable& of(AgentId agent) const { return store_.table(placeOf(agent)); }
