@@ -121,9 +121,10 @@ NeighbourSet findLimiting(const Perception& seen, std::size_t first) {
 
 }  // namespace
 
-void SeparationRule::cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const {
+void SeparationRule::cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count,
+                         BrakingLimits* limits) const {
   if (batch.size() > 0 && batch[0].motion.areOn()) {
-    for (std::size_t k = 0; k < batch.size(); ++k) cut(batch[k], moves + k * blocksOf(count), count);
+    for (std::size_t k = 0; k < batch.size(); ++k) cut(batch[k], moves + k * blocksOf(count), count, limits[k]);
     return;
   }
   for (std::size_t k = 0; k < batch.size(); ++k) {
@@ -131,7 +132,7 @@ void SeparationRule::cut(const PerceptionBatch& batch, MoveBlock* moves, std::si
     if (NearAgents::isFor(batch[k])) {
       admitAll(own, count);
     } else {
-      cut(batch[k], own, count);
+      cut(batch[k], own, count, limits[k]);
     }
   }
   if (sharing_ == GapSharing::NONE) return;
@@ -156,28 +157,22 @@ void SeparationRule::cutAmongAgents(const PerceptionBatch& batch, MoveBlock* mov
   for (std::size_t i = 0; i < cut_count; ++i) cutToGap(cuts[i].limit, cuts[i].reach, cuts[i].moves, count);
 }
 
-void SeparationRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count) const {
-  cutToGaps(perception, moves, count);
+void SeparationRule::cut(const Perception& perception, MoveBlock* moves, std::size_t count,
+                         BrakingLimits& limits) const {
+  if (perception.motion.areOn()) findBrakingLimits(perception, sharing_, limits);
+  cutToGaps(perception, moves, count, limits);
   if (!perception.neighbours.hasObstacles() || sharing_ == GapSharing::NONE) return;
   cutToComfort(perception, moves, count);
-  if (lookout_ > 0.0) replaceUnsafe(perception, moves, count);
+  if (lookout_ > 0.0) replaceUnsafe(perception, moves, count, limits);
   keepOutOfReach(perception, moves, count);
 }
 
-void SeparationRule::replaceUnsafe(const Perception& perception, MoveBlock* moves, std::size_t count) const {
+void SeparationRule::replaceUnsafe(const Perception& perception, MoveBlock* moves, std::size_t count,
+                                   const BrakingLimits& limits) const {
   EscapePlanner escape_planner(perception, lookout_);
   if (!escape_planner.isNeeded()) return;
-  cutToGaps(perception, escape_planner.straightMoves(), escape_planner.straightMoveCount());
+  cutToGaps(perception, escape_planner.straightMoves(), escape_planner.straightMoveCount(), limits);
   escape_planner.replaceUnsafe(moves, count);
-}
-
-RelativeAction SeparationRule::actionTowards(const Perception& perception, const CandidateMove& move) const {
-  return BrakingRule(perception, sharing_).actionTowards(move);
-}
-
-RelativeAction SeparationRule::actionTowards(const Perception& perception, const CandidateMove& preferred,
-                                             const CandidateMove& fallback) const {
-  return BrakingRule(perception, sharing_).actionTowards(preferred, fallback);
 }
 
 bool SeparationRule::mustEscape(const Perception& perception) const {
@@ -185,8 +180,9 @@ bool SeparationRule::mustEscape(const Perception& perception) const {
   return EscapePlanner(perception, lookout_).isNeeded();
 }
 
-void SeparationRule::cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const {
-  if (perception.motion.areOn()) return BrakingRule(perception, sharing_).cut(moves, count);
+void SeparationRule::cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count,
+                               const BrakingLimits& limits) const {
+  if (perception.motion.areOn()) return BrakingRule(perception, limits).cut(moves, count);
   admitAll(moves, count);
   if (sharing_ == GapSharing::NONE) return;
   const AgentPerception& self = perception.self;

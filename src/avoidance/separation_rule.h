@@ -1,10 +1,10 @@
 #pragma once
 
+#include "avoidance/braking_limits.h"
 #include "avoidance/candidate_move.h"
 #include "avoidance/gap_sharing.h"
 #include "avoidance/perception_batch.h"
 #include "world/perception.h"
-#include "world/relative_action.h"
 
 namespace crowd {
 
@@ -27,24 +27,21 @@ class SeparationRule {
   /// @brief Sets the admissible fraction of each of the first `count` moves, at most the wanted fraction. A move that
   /// is unsafe because of moving obstacles is replaced by another move. Staying is always admissible.
   /// @param moves blocksOf(count) blocks
-  void cut(const Perception& perception, MoveBlock* moves, std::size_t count) const;
+  /// @param limits output if the agent has motion limits: what BrakingRule needs for its action
+  void cut(const Perception& perception, MoveBlock* moves, std::size_t count, BrakingLimits& limits) const;
   /// @brief The same for the moves of several agents; gives the same results as one call per agent.
   /// @param batch at most MAX_BATCH agents
   /// @param moves blocksOf(count) blocks per agent
-  void cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const;
-  /// @brief For agents with motion limits, the action of a tick towards the velocity of a move that cut() limited.
-  RelativeAction actionTowards(const Perception& perception, const CandidateMove& move) const;
-  /// @brief For these agents, the action of a preferred move, as far as the motion limits permit it, if that is
-  /// admissible; else that towards a fallback.
-  RelativeAction actionTowards(const Perception& perception, const CandidateMove& preferred,
-                               const CandidateMove& fallback) const;
+  /// @param limits one list per agent
+  void cut(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count, BrakingLimits* limits) const;
   /// @brief Whether a moving obstacle comes so near that cut() considers escapes from it.
   bool mustEscape(const Perception& perception) const;
 
  private:
   void cutAmongAgents(const PerceptionBatch& batch, MoveBlock* moves, std::size_t count) const;
-  void replaceUnsafe(const Perception& perception, MoveBlock* moves, std::size_t count) const;
-  void cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count) const;
+  void replaceUnsafe(const Perception& perception, MoveBlock* moves, std::size_t count,
+                     const BrakingLimits& limits) const;
+  void cutToGaps(const Perception& perception, MoveBlock* moves, std::size_t count, const BrakingLimits& limits) const;
 
   GapSharing sharing_;
   double lookout_;

@@ -162,6 +162,7 @@ inline void Learner::limit(Perception& seen) const {
 inline void Learner::findRows(DecisionWorkspace& workspace) const {
   const std::size_t agents = workspace.seen.size();
   if (workspace.rows.size() < agents * rows_each_) workspace.rows.resize(agents * rows_each_);
+  if (workspace.limits.size() < agents) workspace.limits.resize(agents);
   const bool grows = workspace.moves.size() < agents * blocks_each_;
   if (grows) workspace.moves.resize(agents * blocks_each_);
   // The workspace may have been used by another learner.
@@ -170,7 +171,7 @@ inline void Learner::findRows(DecisionWorkspace& workspace) const {
   for (std::size_t first = 0; first < agents; first += MAX_BATCH) {
     const PerceptionBatch batch(&workspace.seen[first], std::min(MAX_BATCH, agents - first));
     MoveBlock* const moves = &workspace.moves[first * blocks_each_];
-    if (!has_moves) actions_->findMoves(batch, moves);
+    if (!has_moves) actions_->findMoves(batch, moves, &workspace.limits[first]);
     model_.state_set->findRows(batch, moves, &workspace.rows[first * rows_each_]);
   }
 }
@@ -189,7 +190,7 @@ inline void Learner::answer(DecisionWorkspace& workspace, std::vector<AgentActio
     AgentAction& given = actions.emplace_back();
     given.agent = self.agent;
     const MoveBlock* const moves = &workspace.moves[k * blocks_each_];
-    given.action = actions_->relativeAction(workspace.seen[k], moves, action);
+    given.action = actions_->relativeAction(workspace.seen[k], moves, workspace.limits[k], action);
   }
 }
 

@@ -39,6 +39,7 @@ struct DecisionWorkspace {
   std::vector<Perception> seen;               ///< of the served agents, limited to the model's vision
   std::vector<std::uint32_t> places;          ///< of these agents
   std::vector<MoveBlock> moves;               ///< candidate moves of each of these agents
+  std::vector<BrakingLimits> limits;          ///< of the moves, one list per agent
   std::vector<Row> rows;                      ///< of each of these agents
   std::vector<Choice> choices;                ///< the decision behind each answer of the last call
   std::shared_ptr<const ActionSet> moves_of;  ///< the action set that wrote `moves`

@@ -50,7 +50,8 @@ Vector2 velocityOf(const RelativeAction& action, double max_speed) {
 Vector2 towards(const PerceptionsBuilder& scene, const Vector2& direction = Vector2::UnitX(),
                 GapSharing sharing = GapSharing::HALF) {
   const Perception seen = scene.perception();
-  const RelativeAction action = SeparationRule(sharing, LOOKOUT).actionTowards(seen, {direction, 1.0, 1.0});
+  const BrakingLimits limits = limitsOf(seen, sharing);
+  const RelativeAction action = BrakingRule(seen, limits).actionTowards({direction, 1.0, 1.0});
   return velocityOf(action, seen.self.max_speed);
 }
 
@@ -116,8 +117,9 @@ TEST(BrakingRule, TakesTheFallbackIfThePreferredMoveIsNotFree) {
   const CandidateMove left{Vector2::UnitY(), 1.0, 1.0};
   const auto velocity = [&](const PerceptionsBuilder& scene, const CandidateMove& preferred,
                             const CandidateMove& fallback) {
-    const SeparationRule rule(GapSharing::HALF, LOOKOUT);
-    return velocityOf(rule.actionTowards(scene.perception(), preferred, fallback), 1.2);
+    const Perception seen = scene.perception();
+    const BrakingLimits limits = limitsOf(seen, GapSharing::HALF);
+    return velocityOf(BrakingRule(seen, limits).actionTowards(preferred, fallback), 1.2);
   };
   expectVector(velocity(walker(0.0), ahead, left), 0.2, 0.0);
   expectVector(velocity(beforeWall(0.0, 0.0), ahead, left), 0.0, 0.2);
@@ -126,7 +128,9 @@ TEST(BrakingRule, TakesTheFallbackIfThePreferredMoveIsNotFree) {
 
 TEST(BrakingRule, StayingBrakesAndKeepsTheHeading) {
   const auto stay = [](const PerceptionsBuilder& scene) {
-    return SeparationRule(GapSharing::HALF, LOOKOUT).actionTowards(scene.perception(), {Vector2::UnitY(), 0.0, 0.0});
+    const Perception seen = scene.perception();
+    const BrakingLimits limits = limitsOf(seen, GapSharing::HALF);
+    return BrakingRule(seen, limits).actionTowards({Vector2::UnitY(), 0.0, 0.0});
   };
   expectVector(velocityOf(stay(walker(0.6)), 1.2), 0.3, 0.0);
   EXPECT_EQ(stay(walker(0.6)).rotation, 0.0);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "avoidance/separation_rule.h"
+#include "avoidance/braking_rule.h"
 #include "geometry/impact.h"
 #include "support/moves.h"
 #include "support/parts.h"
@@ -16,19 +16,20 @@
 namespace crowd::braking_worlds_test {
 namespace {
 
-constexpr double TICK = 0.1;     // [s]
-constexpr double LOOKOUT = 1.5;  // [s]
+constexpr double TICK = 0.1;  // [s]
 
 /// Speeds up by up to 0.2 m/s in a tick, slows down by up to 0.3 m/s.
 constexpr MotionLimits LIMITS{2.0, 3.0, INFINITE};
 
 /// Runs a tick in which agents want to walk straight on at full speed.
 void walkOn(World& world, GapSharing sharing) {
-  const SeparationRule rule(sharing, LOOKOUT);
   const Perceptions seen = lookAround(world);
   std::vector<AgentAction> actions;
   for (std::size_t i = 0; i < seen.agents.size(); ++i) {
-    actions.push_back({seen.agents[i].agent, rule.actionTowards({seen, i}, {Vector2::UnitX(), 1.0, 1.0})});
+    const Perception perception(seen, i);
+    const BrakingLimits limits = limitsOf(perception, sharing);
+    actions.push_back(
+        {perception.self.agent, BrakingRule(perception, limits).actionTowards({Vector2::UnitX(), 1.0, 1.0})});
   }
   world.step(actions);
 }

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "avoidance/braking_rule.h"
 #include "avoidance/separation_rule.h"
 #include "support/moves.h"
 #include "support/perceptions.h"
@@ -143,8 +144,9 @@ void expectNoContactsByAgents(const MotionLimits& limits) {
       for (std::size_t i = 0; i < seen.agents.size(); ++i) {
         const Perception perception(seen, i);
         const CandidateMove move = cut(rule, perception, {randomMove(random, perception)})[0];
-        actions.push_back(
-            {seen.agents[i].agent, limits.areOn() ? rule.actionTowards(perception, move) : toAction(move)});
+        const BrakingLimits braking = limitsOf(perception, rule.sharing());
+        actions.push_back({seen.agents[i].agent,
+                           limits.areOn() ? BrakingRule(perception, braking).actionTowards(move) : toAction(move)});
       }
       const World before = world;
       world.step(actions);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "avoidance/braking_rule.h"
 #include "avoidance/separation_rule.h"
 #include "geometry/closest_points.h"
 #include "support/moves.h"
@@ -126,9 +127,11 @@ void step(World& world, const SeparationRule& rule, const Vector2& meeting_place
     const Perception perception(seen, i);
     const AgentId id = seen.agents[i].agent;
     std::vector<MoveBlock> moves = toBlocks({randomWish(random, world.agents()[id], meeting_place)});
-    rule.cut({&perception, 1}, moves.data(), 1);
+    BrakingLimits limits;
+    rule.cut({&perception, 1}, moves.data(), 1, &limits);
     const CandidateMove move = moveAt(moves.data(), 0);
-    const RelativeAction action = world.motion().areOn() ? rule.actionTowards(perception, move) : toAction(move);
+    const RelativeAction action =
+        world.motion().areOn() ? BrakingRule(perception, limits).actionTowards(move) : toAction(move);
     if (random.below(20) > 0) actions.push_back({id, action});
   }
   world.step(actions);

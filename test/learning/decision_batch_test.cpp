@@ -81,12 +81,13 @@ TEST(DecisionBatch, MovesAndRowsDoNotDependOnTheBatch) {
       const std::size_t blocks = blocksOf(actions.size());
       std::vector<MoveBlock> moves(seen.size() * blocks);
       std::vector<Row> rows(seen.size() * actions.size());
-      actions.findMoves({seen.data(), seen.size()}, moves.data());
+      std::vector<BrakingLimits> limits(seen.size());
+      actions.findMoves({seen.data(), seen.size()}, moves.data(), limits.data());
       states->findRows({seen.data(), seen.size()}, moves.data(), rows.data());
       std::vector<MoveBlock> moves_alone(moves.size());
       std::vector<Row> rows_alone(rows.size());
       for (std::size_t k = 0; k < seen.size(); ++k) {
-        actions.findMoves({&seen[k], 1}, &moves_alone[k * blocks]);
+        actions.findMoves({&seen[k], 1}, &moves_alone[k * blocks], &limits[k]);
         states->findRows({&seen[k], 1}, &moves_alone[k * blocks], &rows_alone[k * actions.size()]);
       }
       ASSERT_TRUE(areSame(moves, moves_alone)) << GAP_SHARINGS.nameOf(sharing) << ", seed " << seed;
@@ -109,9 +110,10 @@ TEST(DecisionBatch, SeparationLimitsDoNotDependOnTheBatch) {
       const std::vector<Perception> seen = perceptionsOf(group);
       std::vector<MoveBlock> together(seen.size(), goal_relative[0]);
       std::vector<MoveBlock> alone = together;
-      rule.cut({seen.data(), seen.size()}, together.data(), count);
+      std::vector<BrakingLimits> limits(seen.size());
+      rule.cut({seen.data(), seen.size()}, together.data(), count, limits.data());
       for (std::size_t k = 0; k < seen.size(); ++k) {
-        rule.cut(seen[k], &alone[k], count);  // neighbour by neighbour, not as a list of near agents
+        rule.cut(seen[k], &alone[k], count, limits[k]);  // neighbour by neighbour, not as a list of near agents
         cut_short += alone[k].fraction[0] < alone[k].wanted[0] ? 1 : 0;
       }
       ASSERT_TRUE(areSame(together, alone)) << GAP_SHARINGS.nameOf(sharing) << ", seed " << seed;

@@ -52,7 +52,7 @@ TEST(GoalRelativeActions, RelativeActionsEqualTheAdmissibleMoves) {
   bool cut = false;
   for (Action action = 0; action < goal_relative.size(); ++action) {
     const CandidateMove move = moveAt(moves.data(), action);
-    const RelativeAction carried_out = goal_relative.relativeAction(scene.perception(), moves.data(), action);
+    const RelativeAction carried_out = goal_relative.relativeAction(scene.perception(), moves.data(), {}, action);
     EXPECT_EQ(carried_out.speed_fraction, move.fraction);
     EXPECT_EQ(carried_out.rotation, bearingOf(move.direction));
     cut = cut || move.fraction < move.wanted;
@@ -123,7 +123,7 @@ TEST(GoalRelativeActions, AgentsWithMassSlowDownBesideTheirGoal) {
     const auto scene = PerceptionsBuilder().agent(0, goal).speed(1.5).walking({0.9, 0.0}).motion({3.0, 3.0, INFINITE});
     const Perception seen = scene.perception();
     std::vector<MoveBlock> ahead = toBlocks({CandidateMove{Vector2::UnitX(), 1.0, 1.0}});
-    return 1.5 * actions.relativeAction(seen, ahead.data(), 0).speed_fraction;
+    return 1.5 * actions.relativeAction(seen, ahead.data(), {}, 0).speed_fraction;
   };
   EXPECT_NEAR(speed_of({0.0, 0.3}), std::sqrt(3.0 * 0.15), 1e-9);
   EXPECT_NEAR(speed_of({0.3, 0.0}), 1.2, 1e-9);   // straight ahead: it speeds up

@@ -57,7 +57,11 @@ class ViewTest(ControllerTestCase):
         self.open_rviz()
         self.assertEqual(self.number('Scale'), SCALE)  # the first scenario leaves the view as it is
         self.load_other()
-        support.wait_for(lambda: abs(self.number('Scale') - self.expected_scale()) < 0.01, 'the scale of the floor')
+        try:
+            support.wait_for(lambda: abs(self.number('Scale') - self.expected_scale()) < 0.01, 'the scale of the floor')
+        except AssertionError as error:
+            size = self.rviz.ask('size', 'rviz::RenderPanel')
+            raise AssertionError(f'{error}; it is {self.number("Scale")} for {size} pixels') from None
         self.assertLess(self.number('Scale'), SCALE)
         self.assertAlmostEqual(self.number('X'), 0.25, places=5)
         self.assertAlmostEqual(self.number('Y'), 0.0, places=5)

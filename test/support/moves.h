@@ -19,13 +19,17 @@ inline std::vector<MoveBlock> toBlocks(const std::vector<CandidateMove>& moves) 
 /// @brief The moves of all actions, in blocks.
 inline std::vector<MoveBlock> movesOf(const ActionSet& actions, const Perception& perception) {
   std::vector<MoveBlock> blocks(blocksOf(actions.size()));
-  actions.findMoves({&perception, 1}, blocks.data());
+  BrakingLimits limits;
+  actions.findMoves({&perception, 1}, blocks.data(), &limits);
   return blocks;
 }
 
 /// @brief The relative action of an action.
 inline RelativeAction relativeAction(const ActionSet& actions, const Perception& perception, Action action) {
-  return actions.relativeAction(perception, movesOf(actions, perception).data(), action);
+  std::vector<MoveBlock> blocks(blocksOf(actions.size()));
+  BrakingLimits limits;
+  actions.findMoves({&perception, 1}, blocks.data(), &limits);
+  return actions.relativeAction(perception, blocks.data(), limits, action);
 }
 
 /// @brief Features of the first `count` moves of a block.
@@ -36,11 +40,19 @@ inline MoveFeatures featuresAlone(const Perception& perception, MoveBlock moves,
   return features;
 }
 
+/// @brief The limits of an agent with motion limits.
+inline BrakingLimits limitsOf(const Perception& perception, GapSharing sharing) {
+  BrakingLimits limits;
+  findBrakingLimits(perception, sharing, limits);
+  return limits;
+}
+
 /// @brief Moves limited by a separation rule.
 inline std::vector<CandidateMove> cut(const SeparationRule& rule, const Perception& perception,
                                       std::vector<CandidateMove> moves) {
   std::vector<MoveBlock> blocks = toBlocks(moves);
-  rule.cut(perception, blocks.data(), moves.size());
+  BrakingLimits limits;
+  rule.cut(perception, blocks.data(), moves.size(), limits);
   for (std::size_t i = 0; i < moves.size(); ++i) moves[i] = moveAt(blocks.data(), i);
   return moves;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "avoidance/braking_limits.h"
 #include "avoidance/candidate_move.h"
 #include "avoidance/perception_batch.h"
 #include "learning/part_types.h"
@@ -32,12 +33,14 @@ class ActionSet {
   /// @brief Writes the moves of all actions of each agent of a batch. The moves of an agent do not depend on the other
   /// agents.
   /// @param moves output, blocksOf(size()) blocks per agent. Unused lanes must hold a valid move, too.
-  virtual void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const = 0;
+  /// @param limits output, one list per agent, for relativeAction(); of agents without motion limits it is not used
+  virtual void findMoves(const PerceptionBatch& batch, MoveBlock* moves, BrakingLimits* limits) const = 0;
   /// @brief Whether findMoves() writes the same moves for all perceptions. Then the learner does not call it each tick.
   virtual bool hasConstantMoves() const { return false; }
   /// @brief Returns the relative action that carries out the move of an action.
-  /// @param moves those that findMoves() wrote for the perception `seen`
-  virtual RelativeAction relativeAction(const Perception& /*seen*/, const MoveBlock* moves, Action action) const {
+  /// @param moves, limits those that findMoves() wrote for the perception `seen`
+  virtual RelativeAction relativeAction(const Perception& /*seen*/, const MoveBlock* moves,
+                                        const BrakingLimits& /*limits*/, Action action) const {
     return toAction(moveAt(moves, action));
   }
   /// @brief The set that agents use while they learn, for example without a gait; null if it is this one. Size, order

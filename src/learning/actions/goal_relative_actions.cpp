@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "avoidance/braking_rule.h"
 #include "avoidance/separation_rule.h"
 #include "avoidance/time_gap.h"
 #include "common/text/numbers.h"
@@ -79,8 +80,9 @@ class GoalRelativeActions : public ActionSet {
   explicit GoalRelativeActions(const Parameters& parameters);
 
   Action size() const override { return static_cast<Action>(mirrored_.size()); }
-  void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
-  RelativeAction relativeAction(const Perception& seen, const MoveBlock* moves, Action action) const override;
+  void findMoves(const PerceptionBatch& batch, MoveBlock* moves, BrakingLimits* limits) const override;
+  RelativeAction relativeAction(const Perception& seen, const MoveBlock* moves, const BrakingLimits& limits,
+                                Action action) const override;
   /// The same without gait and anticipation time; agents beside their goal do not slow down to reach it.
   std::shared_ptr<const ActionSet> whileLearning() const override;
   MotionLimits motion() const override { return parameters_.motion; }
@@ -128,7 +130,7 @@ void GoalRelativeActions::add(const Vector2& direction, double fraction, Action 
   mirrored_.push_back(mirrored);
 }
 
-void GoalRelativeActions::findMoves(const PerceptionBatch& batch, MoveBlock* moves) const {
+void GoalRelativeActions::findMoves(const PerceptionBatch& batch, MoveBlock* moves, BrakingLimits* limits) const {
   MoveBlock* next = moves;
   for (const Perception& seen : batch) {
     const Vector2 bearing = goalDirection(seen);
@@ -137,7 +139,7 @@ void GoalRelativeActions::findMoves(const PerceptionBatch& batch, MoveBlock* mov
       turn(base_moves_[block], bearing, turned_ > first ? turned_ - first : 0, *next++);
     }
   }
-  rule_.cut(batch, moves, size());
+  rule_.cut(batch, moves, size(), limits);
   if (time_gap_.isOn()) keepTimeGap(batch, moves);
 }
 
@@ -149,19 +151,20 @@ void GoalRelativeActions::keepTimeGap(const PerceptionBatch& batch, MoveBlock* m
 }
 
 RelativeAction GoalRelativeActions::relativeAction(const Perception& seen, const MoveBlock* moves,
-                                                   Action action) const {
+                                                   const BrakingLimits& limits, Action action) const {
   const CandidateMove chosen = moveAt(moves, action);
   if (!seen.motion.areOn()) return toAction(chosen);
-  if (seen.self.held) return rule_.actionTowards(seen, CandidateMove{Vector2::UnitX(), 0.0, 0.0});
-  if (rule_.mustEscape(seen)) return rule_.actionTowards(seen, chosen);  // as it is
+  const BrakingRule rule(seen, limits);
+  if (seen.self.held) return rule.actionTowards(CandidateMove{Vector2::UnitX(), 0.0, 0.0});
+  if (rule_.mustEscape(seen)) return rule.actionTowards(chosen);  // as it is
   if (chosen.fraction < STANDING) {
     const auto tick = static_cast<std::uint64_t>(std::llround(seen.time / seen.tick_duration));
     const auto shift = parameters_.gait.shiftAt(randomGaitOf(seen), size(), tick, seen.tick_duration);
-    if (shift) return rule_.actionTowards(seen, moveAt(moves, *shift));
+    if (shift) return rule.actionTowards(moveAt(moves, *shift));
   }
   const CandidateMove move = slows_at_goal_ ? reachingGoal(chosen, seen) : chosen;
-  if (!parameters_.gait.isOn()) return rule_.actionTowards(seen, move);
-  return rule_.actionTowards(seen, deviate(move, parameters_.gait, seen), move);
+  if (!parameters_.gait.isOn()) return rule.actionTowards(move);
+  return rule.actionTowards(deviate(move, parameters_.gait, seen), move);
 }
 
 std::shared_ptr<const ActionSet> GoalRelativeActions::whileLearning() const {

@@ -18,10 +18,11 @@ class KingsMoves : public ActionSet {
   KingsMoves(int rotations, bool stay, Directions directions);
 
   Action size() const override { return static_cast<Action>(relative_actions_.size()); }
-  void findMoves(const PerceptionBatch& batch, MoveBlock* moves) const override;
+  void findMoves(const PerceptionBatch& batch, MoveBlock* moves, BrakingLimits* limits) const override;
   bool hasConstantMoves() const override { return directions_ == Directions::RELATIVE; }
   /// Returns the exact multiple of 360 degrees / rotations, less the heading with absolute directions.
-  RelativeAction relativeAction(const Perception& seen, const MoveBlock* moves, Action action) const override;
+  RelativeAction relativeAction(const Perception& seen, const MoveBlock* moves, const BrakingLimits& limits,
+                                Action action) const override;
   Action mirrored(Action action) const override { return turns(action) ? (rotations_ - action) % rotations_ : action; }
   std::string spec() const override;
 
@@ -39,10 +40,10 @@ KingsMoves::KingsMoves(int rotations, bool stay, Directions directions)
   if (stay) relative_actions_.push_back({0.0, 0.0});
 }
 
-void KingsMoves::findMoves(const PerceptionBatch& batch, MoveBlock* moves) const {
+void KingsMoves::findMoves(const PerceptionBatch& batch, MoveBlock* moves, BrakingLimits* /*limits*/) const {
   for (const Perception& seen : batch) {
     for (Action action = 0; action < size(); ++action) {
-      const auto [rotation, speed_fraction] = relativeAction(seen, moves, action);
+      const auto [rotation, speed_fraction] = relativeAction(seen, moves, {}, action);
       setMove(moves, action, {unitVector(rotation), speed_fraction, speed_fraction});
     }
     repeatLast(moves, size());
@@ -50,7 +51,8 @@ void KingsMoves::findMoves(const PerceptionBatch& batch, MoveBlock* moves) const
   }
 }
 
-RelativeAction KingsMoves::relativeAction(const Perception& seen, const MoveBlock* /*moves*/, Action action) const {
+RelativeAction KingsMoves::relativeAction(const Perception& seen, const MoveBlock* /*moves*/,
+                                          const BrakingLimits& /*limits*/, Action action) const {
   RelativeAction relative = relative_actions_[action];
   if (directions_ == Directions::ABSOLUTE && turns(action)) relative.rotation -= seen.self.pose.heading;
   return relative;
