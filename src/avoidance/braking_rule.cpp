@@ -17,7 +17,8 @@ void cutStop(const MoveLimit& limit, const Perception& seen, MoveBlock& moves) {
 
 }  // namespace
 
-/// Calls use(limit) for each limit below a reach [m].
+/// Calls use(limit) for each limit below a reach [m]. There are none beyond the reach at maximum speed: an agent is not
+/// faster after a tick, see actionWith(), so it does not come up to those.
 template <typename Use>
 void BrakingRule::forEachLimit(double reach, const Use& use) const {
   for (const BrakingLimit& limit : limits_) {

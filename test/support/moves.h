@@ -16,20 +16,22 @@ inline std::vector<MoveBlock> toBlocks(const std::vector<CandidateMove>& moves) 
   return blocks;
 }
 
-/// @brief The moves of all actions, in blocks.
-inline std::vector<MoveBlock> movesOf(const ActionSet& actions, const Perception& perception) {
+/// @brief The moves of all actions, in blocks. @param limits output, see ActionSet::findMoves()
+inline std::vector<MoveBlock> movesOf(const ActionSet& actions, const Perception& perception, BrakingLimits& limits) {
   std::vector<MoveBlock> blocks(blocksOf(actions.size()));
-  BrakingLimits limits;
   actions.findMoves({&perception, 1}, blocks.data(), &limits);
   return blocks;
+}
+inline std::vector<MoveBlock> movesOf(const ActionSet& actions, const Perception& perception) {
+  BrakingLimits limits;
+  return movesOf(actions, perception, limits);
 }
 
 /// @brief The relative action of an action.
 inline RelativeAction relativeAction(const ActionSet& actions, const Perception& perception, Action action) {
-  std::vector<MoveBlock> blocks(blocksOf(actions.size()));
   BrakingLimits limits;
-  actions.findMoves({&perception, 1}, blocks.data(), &limits);
-  return actions.relativeAction(perception, blocks.data(), limits, action);
+  const std::vector<MoveBlock> moves = movesOf(actions, perception, limits);
+  return actions.relativeAction(perception, moves.data(), limits, action);
 }
 
 /// @brief Features of the first `count` moves of a block.
