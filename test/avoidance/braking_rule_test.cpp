@@ -170,5 +170,12 @@ TEST(BrakingRule, StopsFasterThanItCanBeforeSomebodyWhoAppears) {
   EXPECT_NEAR(share(facing(0.1, 1.2)), 0.5 / 1.2, 1e-6);
 }
 
+TEST(BrakingRule, StopsInTimeAfterItsMaximumSpeedFell) {
+  // It still walks at 1.2 m/s, but may only walk at 0.3: 0.03 m in the tick. 0.05 m are beyond its reach, 0.01 m not.
+  const auto speed_before = [](double gap) { return towards(beforeWall(gap, 1.2).speed(0.3)).norm(); };
+  EXPECT_NEAR(speed_before(0.05), 0.3, 1e-9);
+  EXPECT_LE(speed_before(0.01), 0.1);
+}
+
 }  // namespace
 }  // namespace crowd::braking_rule_test
