@@ -7,30 +7,26 @@
 namespace crowd {
 namespace {
 
-constexpr double STILL_SPEED = 0.001;       // [m/s]
-constexpr double STILL_ROTATION = 0.01;     // [rad/s]
-constexpr double INTIMATE_DISTANCE = 0.45;  // Hall's spaces [m]
-constexpr double PERSONAL_DISTANCE = 1.2;
-constexpr double SOCIAL_DISTANCE = 3.6;
-constexpr double COMPLIANT_DISTANCE = 0.5;  // [m]
-
-void addNumber(double value, Statistic& statistic) {
-  if (!std::isnan(value)) statistic.add(value);
+/// What success counts for: its least amount of a quantity, such as time, divided by the amount that it took.
+double weighted(bool success, double least, double taken) {
+  if (std::isnan(least)) return success ? RobotResult::NONE : 0.0;
+  if (!success) return 0.0;
+  return taken > least ? least / taken : 1.0;
 }
 
 }  // namespace
 
 RobotTrack::RobotTrack(const RobotMetricOptions& options, double tick_duration, const Robot& robot,
                        const RobotSample& start)
-    : options_(options),
-      tick_duration_(tick_duration),
+    : stalled_speed_(options.stalled_speed),
       name_(robot.start.name),
       max_speed_(robot.start.limits.max_speed),
       goal_tolerance_(robot.start.goal_tolerance),
       last_(start),
       goals_set_(robot.goals_set),
       way_on_({robot.pose, {}}),
-      progress_(options, tick_duration) {
+      progress_(options, tick_duration),
+      time_{tick_duration} {
   noteStates(start);
 }
 
@@ -56,12 +52,12 @@ void RobotTrack::setGoals(const Robot& robot, ShortestWay way) {
 
 void RobotTrack::add(const ObservedRobot& observed, const RobotSample& sample) {
   if (sample.jumped) noteJump(sample);
-  ++ticks_;
+  ++time_.ticks;
   const double step = sample.jumped ? 0.0 : (sample.pose.position - last_.pose.position).norm();
-  addContacts(*observed.contacts, sample);
-  addPeople(sample);
+  contacts_.add(*observed.contacts, sample);
+  people_.add(sample);
+  motion_.add(sample, last_, stalled_speed_, time_.tick_duration);
   path_length_ += step;
-  addMotion(sample);
   last_ = sample;
   addProgress(*observed.robot, sample, step);
   success_ = observed.robot->hasArrived();
@@ -73,12 +69,9 @@ void RobotTrack::follow(const RobotSample& sample) {
   noteStates(sample);
 }
 
-/// Notes what the robot is at: only what begins later is counted.
 void RobotTrack::noteStates(const RobotSample& sample) {
-  wall_.is_there = sample.at_wall;
-  obstacle_.is_there = sample.at_obstacle;
-  other_robot_.is_there = sample.at_robot;
-  in_group_.is_there = sample.in_group;
+  contacts_.note(sample);
+  people_.note(sample);
 }
 
 /// Adds a stretch unless the robot stayed where it was.
@@ -102,59 +95,6 @@ void RobotTrack::noteJump(const RobotSample& sample) {
   progress_.beginGoal(sample.goal_distance);
 }
 
-void RobotTrack::addMotion(const RobotSample& sample) {
-  const double turn = sample.jumped ? 0.0 : std::abs(wrapAngle(sample.pose.heading - last_.pose.heading));
-  rotation_ += turn;
-  speed_.add(sample.speed);
-  addNumber(sample.acceleration, acceleration_);
-  addNumber(sample.jerk, jerk_);
-  const bool is_still = sample.speed < STILL_SPEED && turn < STILL_ROTATION * tick_duration_;
-  still_ticks_ += is_still ? 1 : 0;
-  stalled_ticks_ += sample.speed < options_.stalled_speed ? 1 : 0;
-}
-
-void RobotTrack::addContacts(const std::vector<RobotContact>& contacts, const RobotSample& sample) {
-  wall_.add(sample.at_wall);
-  obstacle_.add(sample.at_obstacle);
-  other_robot_.add(sample.at_robot);
-  addNumber(sample.obstacle_clearance, obstacle_clearance_);
-  contact_ticks_ += contacts.empty() ? 0 : 1;
-  for (const RobotContact& contact : contacts) {
-    if (!contact.begins) continue;
-    by_robot_ += contact.cause == ContactCause::ROBOT ? 1 : 0;
-    by_person_ += contact.cause == ContactCause::PERSON ? 1 : 0;
-    mutual_ += contact.cause == ContactCause::MUTUAL ? 1 : 0;
-  }
-}
-
-void RobotTrack::addPeople(const RobotSample& sample) {
-  addNumber(sample.nearest_person, nearest_person_);
-  addNumber(sample.farthest_person, farthest_person_);
-  addNumber(sample.nearest_person_clearance, nearest_clearance_);
-  addNumber(sample.people_clearance, people_clearance_);
-  addNumber(sample.time_to_collision, time_to_collision_);
-  addNumber(sample.nearest_person_speed, nearest_speed_);
-  conflicts_by_robot_ += sample.conflict_by_robot;
-  conflicts_by_people_ += sample.conflict_by_people;
-  people_speed_ += sample.people > 0 ? sample.people_speed : 0.0;
-  people_ += sample.people;
-  near_ticks_ += sample.nearest_person < COMPLIANT_DISTANCE ? 1 : 0;
-  spaces_.add(sample.nearest_person);
-  group_spaces_.add(sample.group_distance);
-  in_group_.add(sample.in_group);
-  force_on_robot_ += sample.social_force_on_robot;
-  force_on_people_ += sample.social_force_on_agents;
-  social_work_ += sample.social_work;
-  obstacle_force_ += sample.obstacle_force_on_robot;
-  obstacle_force_on_people_ += sample.obstacle_force_on_agents;
-}
-
-void RobotTrack::Spaces::add(double distance) {
-  intimate += distance < INTIMATE_DISTANCE ? 1 : 0;
-  personal += distance < PERSONAL_DISTANCE ? 1 : 0;
-  social += distance < SOCIAL_DISTANCE ? 1 : 0;
-}
-
 void RobotTrack::addProgress(const Robot& robot, const RobotSample& sample, double step) {
   progress_.add(sample.pose.position, sample.goal_distance);
   if (goals_.empty()) return;
@@ -169,6 +109,69 @@ void RobotTrack::addProgress(const Robot& robot, const RobotSample& sample, doub
   next_goal_ = robot.next_goal;
   legs_.push_back({sample.pose, {}});
   progress_.beginGoal((goals_[next_goal_] - sample.pose.position).norm());
+}
+
+RobotResult RobotTrack::result() const {
+  RobotResult result;
+  result.name = name_;
+  result.success = success_;
+  result.timeout = !goals_.empty() && !success_;
+  result.stuck = result.timeout && progress_.isStuck();
+  result.failures_to_progress = progress_.failures();
+  if (success_) result.time_to_reach_goal = time_.seconds();
+  writeWay(result);
+  motion_.write(time_, result);
+  contacts_.write(time_, result);
+  people_.write(time_, result);
+  for (std::size_t goal = 0; goal < goals_.size(); ++goal) result.goals.push_back(resultOf(goal));
+  return result;
+}
+
+void RobotTrack::writeWay(RobotResult& result) const {
+  result.path_length = path_length_;
+  if (goals_.empty()) return;
+  const ShortestWay::Way way = shortest(stretches_, way_on_);
+  const double length = way.length - goal_tolerance_;
+  result.shortest_path_length = std::isnan(length) ? length : std::max(0.0, length);
+  result.path_length_ratio = ratioOf(path_length_, length);
+  if (success_ && path_length_ > 0.0) result.path_efficiency = result.shortest_path_length / path_length_;
+  result.path_irregularity = std::isnan(way.turn) ? way.turn : std::max(0.0, motion_.rotation() - way.turn);
+  if (path_length_ > 0.0) result.avg_angle_to_goal = sum_of_angles_ / path_length_;
+  result.spl = weighted(success_, result.shortest_path_length, path_length_);
+  const double least_time = max_speed_ > 0.0 ? result.shortest_path_length / max_speed_ : RobotResult::NONE;
+  result.stl = weighted(success_, least_time, time_.seconds());
+  result.final_distance = final_distance_;
+  result.minimum_distance_to_goal = last_goal_distance_.least();
+}
+
+/// The shortest way on some stretches and a last one.
+ShortestWay::Way RobotTrack::shortest(const std::vector<Stretch>& stretches, const Stretch& last) const {
+  ShortestWay::Way sum = way_.via(last.begin, last.stops);
+  for (const Stretch& stretch : stretches) {
+    const ShortestWay::Way way = way_.via(stretch.begin, stretch.stops);
+    sum.length += way.length;
+    sum.turn += way.turn;
+  }
+  return sum;
+}
+
+RobotGoalResult RobotTrack::resultOf(std::size_t goal) const {
+  RobotGoalResult result;
+  result.x = goals_[goal].x();
+  result.y = goals_[goal].y();
+  if (goal >= legs_.size()) {
+    result.spl = 0.0;
+    return result;
+  }
+  const Leg& leg = legs_[goal];
+  result.success = leg.is_reached;
+  if (leg.is_reached) result.time_to_reach_goal = time_.seconds(leg.ticks);
+  result.path_length = leg.path_length;
+  const double length = shortest(leg.stretches, {leg.begin, {goals_[goal]}}).length - goal_tolerance_;
+  result.shortest_path_length = std::isnan(length) ? length : std::max(0.0, length);
+  result.path_length_ratio = ratioOf(leg.path_length, length);
+  result.spl = weighted(leg.is_reached, result.shortest_path_length, leg.path_length);
+  return result;
 }
 
 }  // namespace crowd

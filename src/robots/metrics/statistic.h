@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -15,6 +16,10 @@ class Statistic {
     sum_ += value;
     ++count_;
   }
+  /// @brief Adds a value unless it is NaN.
+  void addNumber(double value) {
+    if (!std::isnan(value)) add(value);
+  }
   std::uint64_t count() const { return count_; }
   double least() const { return least_; }
   double greatest() const { return greatest_; }
@@ -28,5 +33,10 @@ class Statistic {
   double least_ = NONE;
   double greatest_ = NONE;
 };
+
+/// @brief part / whole; NaN unless the whole is above 0.
+inline double ratioOf(double part, double whole) {
+  return whole > 0.0 ? part / whole : std::numeric_limits<double>::quiet_NaN();
+}
 
 }  // namespace crowd
