@@ -21,7 +21,7 @@ void CongestionMap::update(const World& world, const AgentMap<RemainingPath>& pa
     const double distance = offset.norm();
     if (distance == 0.0) continue;
     Flow& flow = flows_[keyOf(agent.pose.position, offset)];
-    flow.sum += std::clamp(agent.velocity.dot(offset) / (distance * agent.max_speed), 0.0, 1.0);
+    flow.sum += std::clamp(agent.velocity.dot(offset) / (distance * agent.max_speed), -1.0, 1.0);
     ++flow.agents;
   }
   for (auto place = flows_.begin(); place != flows_.end();) {
@@ -33,6 +33,11 @@ void CongestionMap::update(const World& world, const AgentMap<RemainingPath>& pa
     flow.agents = 0;
     place = is_empty && flow.share > FREE_SHARE ? flows_.erase(place) : std::next(place);
   }
+}
+
+double CongestionMap::shareAt(const Vector2& place, const Vector2& direction) const {
+  const auto flow = flows_.find(keyOf(place, direction));
+  return flow == flows_.end() ? 1.0 : flow->second.share;
 }
 
 CongestionMap::Delay CongestionMap::delayOn(const Vector2& from, Span<Vector2> corners, double speed) const {

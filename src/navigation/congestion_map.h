@@ -8,8 +8,9 @@
 
 namespace crowd {
 
-/// @brief How much slower than their maximum speed agents have walked, by place and direction: on squares of CELL, in
-/// four directions, as a moving average. Ways through crowds take longer (docs/way_finding.md).
+/// @brief How much slower than at their maximum speed agents have got on, by place and direction: on squares of CELL,
+/// in four directions, as a moving average. Ways through crowds take longer, and where agents do not get on, they clear
+/// the way for those who walk back (docs/way_finding.md).
 ///
 /// Call contract: update() once per tick. Deterministic; depends only on the world and the ways. Not thread-safe.
 class CongestionMap {
@@ -27,13 +28,15 @@ class CongestionMap {
 
   /// @param paths of the agents of the world; empty for those that have none
   void update(const World& world, const AgentMap<RemainingPath>& paths);
+  /// @brief The share of their maximum speed at which agents have got on there; below 0 if they have walked back.
+  double shareAt(const Vector2& place, const Vector2& direction) const;
   /// @brief The delay of an agent on a way. @param corners of the way [m] @param speed its maximum speed [m/s]
   Delay delayOn(const Vector2& from, Span<Vector2> corners, double speed) const;
 
  private:
   using Key = std::uint64_t;
   struct Flow {
-    double share = 1.0;  // of their maximum speed at which agents get on
+    double share = 1.0;  // see shareAt()
     double sum = 0.0;    // of the shares in this tick
     int agents = 0;      // in this tick
   };

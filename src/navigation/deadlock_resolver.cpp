@@ -38,7 +38,7 @@ Vector2 directionTo(const Vector2& ahead, const Agent& agent) {
 
 }  // namespace
 
-void DeadlockResolver::update(World& world, const AgentMap<RemainingPath>& paths) {
+void DeadlockResolver::update(World& world, const AgentMap<RemainingPath>& paths, const CongestionMap& congestion) {
   const double time = world.time();
   walks_.follow(world.agents());
   retreating_.clear();
@@ -51,7 +51,7 @@ void DeadlockResolver::update(World& world, const AgentMap<RemainingPath>& paths
     const Agent& agent = world.agents().nth(i);
     if (!agent.isWalking() || agent.isHeld() || agent.at_goal) continue;
     if (walksBack(walks_.nth(i))) continue;
-    if (mustGiveWay(world, agent)) {
+    if (mustGiveWay(world, agent, congestion)) {
       startRetreat(agent, time);
     } else if (isStuck(walks_.nth(i), time)) {
       slideAlongWalls(world, agent);
@@ -122,7 +122,7 @@ Span<DeadlockResolver::Walker> DeadlockResolver::walkersNear(const World& world,
   return {walkers_.data() + (first - walkers_.begin()), static_cast<std::size_t>(last - first)};
 }
 
-bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
+bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent, const CongestionMap& congestion) {
   const double time = world.time();
   const auto has_priority = [&](AgentId other) { return givesWayTo(world, agent, world.agents()[other]); };
   if (isStuck(walks_[agent.id], time)) {
@@ -131,7 +131,8 @@ bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent) {
     return std::any_of(near.begin(), near.end(), [&](const Walker& other) { return has_priority(other.agent); });
   }
   if (agent.yielding && blocksOthers(world, agent)) return true;
-  if (retreating_.empty() || agent.velocity.norm() > 0.3 * agent.max_speed) return false;
+  if (retreating_.empty()) return false;
+  if (congestion.shareAt(agent.pose.position, walks_[agent.id].course) > GETS_ON) return false;
   return std::any_of(retreating_.begin(), retreating_.end(), has_priority);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/span.h"
+#include "navigation/congestion_map.h"
 #include "navigation/remaining_path.h"
 #include "world/world.h"
 
@@ -26,10 +27,11 @@ namespace crowd {
 ///
 /// An agent that waits gives way to one that it blocks.
 ///
-/// An agent that gives way walks back for RETREAT_TIME, and agents that it walks towards do the same. It walks along
-/// its own trail; after an attempt in which it could not move, against the direction of its path, and then in turns.
-/// Where it touches walls or other agents, it slides along them. RETREAT_TIME is short, since agents that walk back are
-/// in the way of those behind them. Afterwards the agent walks on for WALK_TIME before it can be stuck again.
+/// An agent that gives way walks back for RETREAT_TIME, and agents that it walks towards do the same where agents in
+/// their direction have not got on (CongestionMap, GETS_ON). It walks along its own trail; after an attempt in which it
+/// could not move, against the direction of its path, and then in turns. Where it touches walls or other agents, it
+/// slides along them. RETREAT_TIME is short, since agents that walk back are in the way of those behind them.
+/// Afterwards the agent walks on for WALK_TIME before it can be stuck again.
 ///
 /// An agent that is stuck, and does not have to give way to another agent, slides along the walls that it touches, and
 /// along the agents between which and a wall it is wedged.
@@ -42,11 +44,13 @@ class DeadlockResolver {
   static constexpr double TURN_TIME = 6.0;     ///< [s]
   static constexpr double RETREAT_TIME = 1.5;  ///< an agent walks back for this time [s]
   static constexpr double WALK_TIME = 1.5;     ///< [s]
+  /// Share of the maximum speed at which agents get on: they do not clear the way for those who walk back.
+  static constexpr double GETS_ON = 0.4;
   static constexpr double CROWD_RADIUS = 1.5;  ///< around the point ahead, in which people are counted [m]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
   /// @param paths of the agents of the world; empty for those that have none
-  void update(World& world, const AgentMap<RemainingPath>& paths);
+  void update(World& world, const AgentMap<RemainingPath>& paths, const CongestionMap& congestion);
 
   /// @brief Whether an agent walks back, as of the last update().
   bool walksBack(AgentId agent) const { return walksBack(walks_[agent]); }
@@ -81,7 +85,7 @@ class DeadlockResolver {
   void sortByX(const World& world);
   /// The walkers that may be within a distance of an agent [m], by x; the agent itself is among them.
   Span<Walker> walkersNear(const World& world, const Agent& agent, double distance);
-  bool mustGiveWay(const World& world, const Agent& agent);
+  bool mustGiveWay(const World& world, const Agent& agent, const CongestionMap& congestion);
   bool blocksOthers(const World& world, const Agent& agent);
   bool isBlockedByRobot(const World& world, const Agent& agent) const;
   bool givesWayTo(const World& world, const Agent& agent, const Agent& other);

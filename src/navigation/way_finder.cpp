@@ -51,7 +51,7 @@ void WayFinder::findWays(World& world) {
   }
   congestion_.update(world, paths_);
   turns_->update(world, paths_);
-  deadlocks_.update(world, paths_);
+  deadlocks_.update(world, paths_, congestion_);
 }
 
 void WayFinder::adoptLayout(World& world) {

@@ -67,6 +67,16 @@ TEST(CongestionMap, IsAMovingAverage) {
   EXPECT_NEAR(street.delay({-3.0, 0.5}, {6.0, 0.5}), 1.5 * (std::pow(0.9, -10.0) - 1.0), 1e-6);
 }
 
+/// Two ticks of 0.5 s at the maximum speed against the way, in one square: 1 - 0.1 * 2 = 0.8, then 0.8 - 0.1 * 1.8.
+TEST(CongestionMap, WhoWalksBackCounts) {
+  Street street({walker({2.9, 0.5}, {40.0, 0.5})});
+  street.world.walkingAgent(0).setWaypoint({-40.0, 0.5});
+  street.walk(1.0);
+  EXPECT_NEAR(street.map.shareAt({2.0, 0.5}, Vector2::UnitX()), 0.62, 1e-9);
+  EXPECT_EQ(street.map.shareAt({2.0, 0.5}, -Vector2::UnitX()), 1.0);
+  EXPECT_EQ(street.map.shareAt({4.0, 0.5}, Vector2::UnitX()), 1.0);
+}
+
 TEST(CongestionMap, ForgetsACrowdThatHasLeft) {
   Street street({walker({0.5, 0.5}, {40.0, 0.5})});
   street.stand(5.0);
