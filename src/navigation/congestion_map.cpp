@@ -49,9 +49,7 @@ CongestionMap::Delay CongestionMap::delayOn(const Vector2& from, Span<Vector2> c
     for (double walked = 0.0; walked < length; walked += PIECE) {
       const double piece = std::min(PIECE, length - walked);
       const Vector2 middle = start + (walked + 0.5 * piece) / length * offset;
-      const auto flow = flows_.find(keyOf(middle, offset));
-      if (flow == flows_.end()) continue;
-      const double lost = piece / speed * (1.0 / std::max(LEAST_SHARE, flow->second.share) - 1.0);
+      const double lost = piece / speed * (1.0 / std::max(LEAST_SHARE, shareAt(middle, offset)) - 1.0);
       delay.total += lost;
       if (lost < delay.worst) continue;
       delay.worst = lost;

@@ -9,8 +9,8 @@
 namespace crowd {
 
 /// @brief How much slower than at their maximum speed agents have got on, by place and direction: on squares of CELL,
-/// in four directions, as a moving average. Ways through crowds take longer, and where agents do not get on, they clear
-/// the way for those who walk back (docs/way_finding.md).
+/// in four directions, as a moving average. Ways through crowds take longer, and where agents do not get on, they give
+/// way to those who walk back (docs/way_finding.md).
 ///
 /// Call contract: update() once per tick. Deterministic; depends only on the world and the ways. Not thread-safe.
 class CongestionMap {
@@ -28,7 +28,8 @@ class CongestionMap {
 
   /// @param paths of the agents of the world; empty for those that have none
   void update(const World& world, const AgentMap<RemainingPath>& paths);
-  /// @brief The share of their maximum speed at which agents have got on there; below 0 if they have walked back.
+  /// @brief The share of their maximum speed at which agents have got on there; below 0 if they have walked back, 1
+  /// where none are. @param place [m] @param direction of their paths, of any length
   double shareAt(const Vector2& place, const Vector2& direction) const;
   /// @brief The delay of an agent on a way. @param corners of the way [m] @param speed its maximum speed [m/s]
   Delay delayOn(const Vector2& from, Span<Vector2> corners, double speed) const;

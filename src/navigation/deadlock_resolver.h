@@ -44,12 +44,12 @@ class DeadlockResolver {
   static constexpr double TURN_TIME = 6.0;     ///< [s]
   static constexpr double RETREAT_TIME = 1.5;  ///< an agent walks back for this time [s]
   static constexpr double WALK_TIME = 1.5;     ///< [s]
-  /// Share of the maximum speed at which agents get on: they do not clear the way for those who walk back.
+  /// Share of the maximum speed at which agents get on: above it, they do not give way to those who walk back.
   static constexpr double GETS_ON = 0.4;
   static constexpr double CROWD_RADIUS = 1.5;  ///< around the point ahead, in which people are counted [m]
 
   /// @brief Replaces the waypoints of agents that give way (World::setWaypoint).
-  /// @param paths of the agents of the world; empty for those that have none
+  /// @param paths of the agents of the world; empty for those that have none @param congestion as of this tick
   void update(World& world, const AgentMap<RemainingPath>& paths, const CongestionMap& congestion);
 
   /// @brief Whether an agent walks back, as of the last update().

@@ -38,7 +38,7 @@ class Crowd {
     world.step({});
     update();
   }
-  /// Notes that nobody gets on for a time [s], in which the agents stay where they are.
+  /// Lets the agents stand for a time [s], and updates the congestion map only.
   void jam(double time) {
     for (const double end = world.time() + time; world.time() < end;) {
       world.step({});
@@ -231,9 +231,9 @@ TEST(DeadlockResolver, AnAgentWalksBackForAWhile) {
   EXPECT_GT(std::abs(crowd.world.agents()[back].pose.position.x()), 1.0);
 }
 
-/// After a time in which nobody got on [s], an agent in each direction comes up behind one that is stuck. The share of
-/// the maximum speed of agents that stand falls to 0.9^n in n ticks of 0.5 s: to 0.12 in 10 s, and to 0.53 in the 3 s
-/// after which the front ones are stuck.
+/// Two agents face each other, and stand for `jam_time` [s] as the two behind them do. Then those behind walk up to
+/// them, while they are stuck. In n ticks of 0.5 s in which agents stand, their share of the maximum speed falls to
+/// 0.9^n: to 0.12 in 10 s, but only to 0.53 in the 3 s after which the front ones are stuck.
 void expectThatThoseBehindGiveWay(double jam_time, bool give_way) {
   Crowd crowd({walker({-0.25, 0.5}, {9.0, 0.5}), walker({0.25, 0.5}, {-9.0, 0.5}), walker({-2.2, 0.5}, {9.0, 0.5}),
                walker({2.2, 0.5}, {-9.0, 0.5})});

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
+
+#include "robots/metrics/statistic.h"
 
 namespace crowd {
 
@@ -12,11 +13,10 @@ struct MeasuredTime {
 
   /// @brief The time that some ticks take [s].
   double seconds(std::uint64_t some) const { return static_cast<double>(some) * tick_duration; }
+  /// @brief The time that all of them take [s].
   double seconds() const { return seconds(ticks); }
   /// @brief Mean over the ticks of something that was added up; NaN without ticks.
-  double mean(double sum) const {
-    return ticks > 0 ? sum / static_cast<double>(ticks) : std::numeric_limits<double>::quiet_NaN();
-  }
+  double mean(double sum) const { return ratioOf(sum, static_cast<double>(ticks)); }
   /// @brief Some ticks in percent of all; NaN without ticks.
   double percent(std::uint64_t some) const { return mean(100.0 * static_cast<double>(some)); }
 };

@@ -94,8 +94,8 @@ class PeopleMeasures {
   Statistic nearest_speed_;
   double conflicts_by_robot_ = 0.0;  // resolved [m]
   double conflicts_by_people_ = 0.0;
-  double speed_ = 0.0;  // sum over people and ticks [m/s]
-  std::uint64_t people_ = 0;
+  double speed_ = 0.0;        // sum over people and ticks [m/s]
+  std::uint64_t people_ = 0;  // the same of their numbers
   std::uint64_t near_ticks_ = 0;
   Spaces spaces_;
   Spaces group_spaces_;

@@ -7,6 +7,11 @@
 
 namespace crowd {
 
+/// @brief part / whole; NaN unless the whole is above 0.
+inline double ratioOf(double part, double whole) {
+  return whole > 0.0 ? part / whole : std::numeric_limits<double>::quiet_NaN();
+}
+
 /// @brief Least value, mean and greatest value of some numbers; NaN without any.
 class Statistic {
  public:
@@ -23,7 +28,7 @@ class Statistic {
   std::uint64_t count() const { return count_; }
   double least() const { return least_; }
   double greatest() const { return greatest_; }
-  double mean() const { return count_ == 0 ? NONE : sum_ / static_cast<double>(count_); }
+  double mean() const { return ratioOf(sum_, static_cast<double>(count_)); }
 
  private:
   static constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
@@ -33,10 +38,5 @@ class Statistic {
   double least_ = NONE;
   double greatest_ = NONE;
 };
-
-/// @brief part / whole; NaN unless the whole is above 0.
-inline double ratioOf(double part, double whole) {
-  return whole > 0.0 ? part / whole : std::numeric_limits<double>::quiet_NaN();
-}
 
 }  // namespace crowd
