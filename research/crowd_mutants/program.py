@@ -77,7 +77,8 @@ class Core:
         """Builds and tests a mutant, and restores its file and what was compiled from it."""
         file = self.source / mutant.file
         compiled = self.build / 'CMakeFiles' / 'social_crowd_core.dir' / f'{mutant.file}.o'
-        original, object_code = file.read_text(), compiled.read_bytes()
+        original = file.read_text()
+        object_code = compiled.read_bytes() if compiled.is_file() else None  # a header has none
         try:
             file.write_text(mutated(mutant, original))
             if not self.make():
@@ -85,7 +86,8 @@ class Core:
             return SURVIVED if self.passes(mutant.binary, [mutant.test]) else KILLED
         finally:
             file.write_text(original)
-            compiled.write_bytes(object_code)  # is newer than the file
+            if object_code is not None:
+                compiled.write_bytes(object_code)  # is newer than the file: it is not compiled again
 
 
 def run(*command, **options):
