@@ -12,13 +12,11 @@
 namespace crowd {
 namespace {
 
-constexpr double TRAIL_STEP = 0.5;        // between places of a trail [m]
-constexpr std::size_t TRAIL_LENGTH = 20;  // places
 constexpr double REACH = 0.6;             // between bodies that block each other [m]
 constexpr double WAITER_REACH = 0.2;      // between an agent that waits and one that it blocks [m]
 constexpr double TOUCH = 0.1;             // bodies nearer to each other than this may wedge [m]
 constexpr double BESIDE = 0.2;            // behind the line beside an agent [m]
-constexpr double BACK = 1.0;              // an agent that walks back perceives a goal at least this far away [m]
+constexpr double BACK = 1.0;              // distance of the goal that an agent perceives while it walks back [m]
 constexpr double CONTACT = 0.02;          // an agent slides along what is nearer than this [m]
 constexpr double AHEAD = 3.0;             // distance on its path of the point that gives an agent's direction [m]
 constexpr double WALKED_BACK = 0.1;       // an agent that moved less could not walk back [m]
@@ -68,17 +66,11 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
     retreating_.push_back(agent.id);
     return;
   }
-  if (walksBack(walk)) {
-    walk.cannot_walk_back = (place - walk.retreat_from).norm() < WALKED_BACK;
-    walk.leaves_trail = walk.cannot_walk_back && !walk.leaves_trail;
-  }
+  if (walksBack(walk)) walk.cannot_walk_back = (place - walk.retreat_from).norm() < WALKED_BACK;
   walk.retreat_until = 0.0;
   walk.ahead = pointAlong({path.data(), path.size()}, place, AHEAD);
   walk.course = directionTo(walk.ahead, agent);
   if (isStuck(walk, time)) walk.remaining = lengthOf({path.data(), path.size()}, place);
-  if (!walk.trail.empty() && (place - walk.trail.back()).norm() < TRAIL_STEP) return;
-  walk.trail.push_back(place);
-  if (walk.trail.size() > TRAIL_LENGTH) walk.trail.pop_front();
 }
 
 void DeadlockResolver::noteProgress(const Agent& agent, double time, Walk& walk) {
@@ -217,8 +209,7 @@ void DeadlockResolver::addAgentContacts(const World& world, const Agent& agent, 
   }
 }
 
-/// An agent may be pushed into a gap beside the mesh, from which the straight line to its corner leads into a wall, or
-/// side by side with another agent into a door.
+/// An agent may be wedged between a wall and another agent in a door.
 void DeadlockResolver::slideAlongWalls(World& world, const Agent& agent) {
   std::vector<Vector2> contacts;
   addAgentContacts(world, agent, contacts);
@@ -231,20 +222,13 @@ void DeadlockResolver::slideAlongWalls(World& world, const Agent& agent) {
 }
 
 void DeadlockResolver::retreat(World& world, const Agent& agent) {
-  Walk& walk = walks_[agent.id];
-  std::deque<Vector2>& trail = walk.trail;
-  const Vector2& place = agent.pose.position;
-  while (!trail.empty() && (trail.back() - place).norm() < BACK) trail.pop_back();
-  // Beyond the start of its trail, it goes on in the same direction.
-  const bool is_on_trail = !walk.leaves_trail && !trail.empty();
-  if (is_on_trail) walk.course = (trail.back() - place).normalized();
+  const Vector2& course = walks_[agent.id].course;
   std::vector<Vector2> contacts;
   addAgentContacts(world, agent, contacts);
   addWallContacts(world, agent, contacts);
-  world.walkingAgent(agent.id).yielding = false;
-  const std::optional<Vector2> slid = slideAlong(walk.course, contacts);
-  const Vector2 straight = is_on_trail ? trail.back() : Vector2(place + BACK * walk.course);
-  world.walkingAgent(agent.id).setWaypoint(slid ? Vector2(place + BACK * *slid) : straight);
+  Agent& retreating = world.walkingAgent(agent.id);
+  retreating.yielding = false;
+  retreating.setWaypoint(agent.pose.position + BACK * slideAlong(course, contacts).value_or(course));
 }
 
 }  // namespace crowd

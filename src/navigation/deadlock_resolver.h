@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -28,10 +27,9 @@ namespace crowd {
 /// An agent that waits gives way to one that it blocks.
 ///
 /// An agent that gives way walks back for RETREAT_TIME, and agents that it walks towards do the same where agents in
-/// their direction have not got on (CongestionMap, GETS_ON). It walks along its own trail; after an attempt in which it
-/// could not move, against the direction of its path, and then in turns. Where it touches walls or other agents, it
-/// slides along them. RETREAT_TIME is short, since agents that walk back are in the way of those behind them.
-/// Afterwards the agent walks on for WALK_TIME before it can be stuck again.
+/// their direction have not got on (CongestionMap, GETS_ON). It walks against the direction of its path. Where it
+/// touches walls or other agents, it slides along them. RETREAT_TIME is short, since agents that walk back are in the
+/// way of those behind them. Afterwards the agent walks on for WALK_TIME before it can be stuck again.
 ///
 /// An agent that is stuck, and does not have to give way to another agent, slides along the walls that it touches, and
 /// along the agents between which and a wall it is wedged.
@@ -59,14 +57,12 @@ class DeadlockResolver {
 
  private:
   struct Walk {
-    std::deque<Vector2> trail;               // places at intervals, the latest one last [m]
     std::optional<Vector2> reference;        // where it last made progress [m]
     double progress_time = 0.0;              // when [s]
     double remaining = 0.0;                  // length of its path, while it is stuck [m]
     double retreat_until = 0.0;              // [s]; 0 unless it walks back
     Vector2 retreat_from = Vector2::Zero();  // where its last retreat began [m]
     bool cannot_walk_back = false;           // at its last attempt, and it has made no progress since
-    bool leaves_trail = false;               // walks back against its direction, not along its trail
     Vector2 course = Vector2::UnitX();       // direction of its path, or back [unit vector]
     Vector2 ahead = Vector2::Zero();         // the point AHEAD on its path, before it walked back [m]
   };

@@ -22,15 +22,16 @@ bool PathFollower::isCheckDue(const Vector2& position) const {
 void PathFollower::check(const Vector2& position, NavigationMesh::Query& query) {
   checked_at_ = position;
   ticks_ = 0;
-  if (hasWay() && (chooseCorner(position, query) || returnToWay(position, query))) return;
-  std::optional<Path> path = query.findPath(position, goal_);
-  if (!path && hasWay()) return;  // it was pushed into a pocket of the mesh: it keeps its way
-  if (path) {
+  if (!hasWay() || !(chooseCorner(position, query) || returnToWay(position, query))) {
+    std::optional<Path> path = query.findPath(position, goal_);
+    if (!path) {
+      state_ = hasWay() ? State::IN_POCKET : State::UNREACHABLE;
+      return;
+    }
     follow(std::move(*path));
     chooseCorner(position, query);
-  } else {
-    state_ = State::UNREACHABLE;
   }
+  state_ = State::ON_THE_WAY;
 }
 
 bool PathFollower::returnToWay(const Vector2& position, NavigationMesh::Query& query) {

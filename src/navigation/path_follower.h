@@ -12,20 +12,22 @@ namespace crowd {
 ///
 /// The way is found once. Whether the next corners can be seen is checked where that can have changed: when the person
 /// has left the straight line to its corner, or has moved near it, and from time to time. A person that was pushed to
-/// where it does not see its corner returns to its way if that is near, a few times, and otherwise gets a new one; if
-/// the mesh has none from there, it keeps the old one. The points depend on the positions only.
+/// where it does not see its corner returns to its way if that is near, a few times, and otherwise gets a new one. If
+/// the mesh has none from there, as in a gap that is too narrow for it, it keeps the old one. The points depend on the
+/// positions only.
 class PathFollower {
  public:
   enum class State {
     ON_THE_WAY,  ///< next() leads to the goal
-    UNREACHABLE  ///< the mesh does not connect the last position with the goal; it is tried again from time to time
+    IN_POCKET,   ///< there is a way, but the mesh has none from the last position; another mesh may have one
+    UNREACHABLE  ///< there is no way yet, and the mesh has none; it is tried again from time to time
   };
 
   /// @param goal [m]
   explicit PathFollower(const Vector2& goal) : goal_(goal) {}
 
   /// @brief The point to walk to: a corner of the way, and at last the goal; the position itself if it is unreachable.
-  /// @param position [m] @param query on the mesh, the same at each call until replan()
+  /// @param position [m] @param query on the mesh, the same at each call until replan() or recheck()
   Vector2 next(const Vector2& position, NavigationMesh::Query& query);
   /// @brief The state after the last next().
   State state() const { return state_; }
@@ -33,8 +35,10 @@ class PathFollower {
   /// @brief The corners from the present one to the goal; empty without a way. Valid until the next call of next().
   Span<Vector2> corners() const { return {corners_.data() + corner_, corners_.size() - corner_}; }
   const Vector2& goal() const { return goal_; }
-  /// @brief Finds a new way at the next call of next(), for example on another mesh.
+  /// @brief Finds a new way at the next call of next(), for example after gates have opened.
   void replan();
+  /// @brief Checks at the next call of next() whether the way can be followed, for example on another mesh.
+  void recheck() { ticks_ = CHECK_TICKS; }
   /// @brief Follows another way to the goal.
   void follow(Path path);
 

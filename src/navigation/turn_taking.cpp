@@ -63,7 +63,7 @@ void TurnTaking::decide(const World& world, const AgentMap<RemainingPath>& paths
   rank();
   for (const Claimant& own : claims_.claimants()) {
     Approach& approach = approaches_[own.agent];
-    approach.waits = mustWait(world, own, trafficOf(own));
+    approach.waits = mustWait(own, trafficOf(own));
     approach.aside = approach.waits && !own.isInside() ? sideOf(world, own) : Vector2::Zero();
   }
 }
@@ -101,7 +101,6 @@ void TurnTaking::addTraffic(const Claimant& claimant, const Claim& claim, Traffi
     if (cosine < OPPOSITE) {
       if (!other.is_narrow || width >= claimant.radius + its.radius + claim.room) return;
       replaceIfFirst(is_inside ? traffic.opposite_inside : traffic.opposite, its);
-      traffic.do_opposite_walk = traffic.do_opposite_walk || (is_inside && its.gets_on);
     } else if (cosine > SAME) {
       const bool is_ahead =
           its.distance < claimant.distance || (its.distance == claimant.distance && its.agent < claimant.agent);
@@ -136,20 +135,13 @@ void TurnTaking::replaceIfFirst(const Claimant*& first, const Claimant& other) c
   if (first == nullptr || hasPriority(other, *first)) first = &other;
 }
 
-bool TurnTaking::mustWait(const World& world, const Claimant& claimant, const Traffic& traffic) {
-  double& blocked_since = approaches_[claimant.agent].blocked_since;
-  if (traffic.opposite_inside == nullptr || traffic.do_opposite_walk) {
-    blocked_since = NEVER;
-  } else if (blocked_since == NEVER) {
-    blocked_since = world.time();
-  }
+bool TurnTaking::mustWait(const Claimant& claimant, const Traffic& traffic) const {
   if (claimant.isInside()) {
     return traffic.opposite_inside != nullptr && hasPriority(*traffic.opposite_inside, *traffic.same_inside);
   }
   if (traffic.is_queued) return true;
   if (claimant.distance >= WAITING_DISTANCE) return false;
-  const bool is_blocked = blocked_since != NEVER && world.time() - blocked_since >= PATIENCE;
-  if (traffic.opposite_inside != nullptr) return !is_blocked;
+  if (traffic.opposite_inside != nullptr) return true;
   if (traffic.opposite == nullptr) return false;
   if (traffic.same_inside == nullptr) return hasPriority(*traffic.opposite, *traffic.same);
   const double same_begin = approaches_[traffic.same->agent].begin;

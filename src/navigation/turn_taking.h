@@ -27,7 +27,6 @@ class TurnTaking {
  public:
   static constexpr double WAITING_DISTANCE = 1.8;  ///< agents wait at this distance from the narrow part [m]
   static constexpr double TURN_TIME = 6.0;         ///< the direction that is inside goes on for this time at least [s]
-  static constexpr double PATIENCE = 8.0;          ///< agents wait for this time for those inside that stand [s]
   static constexpr double QUEUE_GAP = 0.2;         ///< in front of narrow parts [m]
   static constexpr double DECISION_TIME = 0.2;     ///< between two decisions whether to wait [s]
   static constexpr double CROWD_TIME = 2.0;        ///< of waiting, which each agent near counts like [s]
@@ -43,7 +42,6 @@ class TurnTaking {
   struct Approach {
     double begin = NEVER;          // time at which it came into sight [s]
     double priority_time = NEVER;  // this time, earlier by CROWD_TIME for each agent that was near it then [s]
-    double blocked_since = NEVER;  // time since which agents of the opposite direction are inside and stand [s]
     bool was_inside = false;
     bool waits = false;
     Vector2 aside = Vector2::Zero();  // direction in which it steps aside while it waits; zero if it does not
@@ -55,7 +53,6 @@ class TurnTaking {
     const Claimant* same = nullptr;      // the same, in the agent's direction; may be the agent itself
     const Claimant* opposite_inside = nullptr;
     const Claimant* same_inside = nullptr;
-    bool do_opposite_walk = false;  // any of those inside
   };
   static constexpr double NEVER = -1.0;
 
@@ -66,7 +63,7 @@ class TurnTaking {
   void addTraffic(const Claimant& claimant, const Claim& claim, Traffic& traffic);
   void replaceIfFirst(const Claimant*& first, const Claimant& other) const;
   bool hasPriority(const Claimant& a, const Claimant& b) const;
-  bool mustWait(const World& world, const Claimant& claimant, const Traffic& traffic);
+  bool mustWait(const Claimant& claimant, const Traffic& traffic) const;
   Vector2 sideOf(const World& world, const Claimant& claimant);
 
   std::shared_ptr<const FloorRuler> floor_;

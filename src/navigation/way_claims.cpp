@@ -6,7 +6,6 @@ namespace crowd {
 namespace {
 
 constexpr double CELL = 1.0;           // of the grid [m]
-constexpr double WALKING_SHARE = 0.1;  // of the maximum speed, above which an agent gets on
 constexpr double GAP = 1.2;            // between narrow places that belong together, as at the doors of a corridor [m]
 
 }  // namespace
@@ -56,7 +55,6 @@ void WayClaims::addWay(const Agent& agent, const RemainingPath& path, const Floo
   claimant.heading = offset.norm() > 0.0 ? Vector2(offset.normalized()) : claims_[claimant.first].direction;
   claimant.position = agent.pose.position;
   claimant.radius = agent.radius;
-  claimant.gets_on = agent.velocity.dot(claimant.heading) > WALKING_SHARE * agent.max_speed;
   claimants_.push_back(claimant);
   largest_radius_ = std::max(largest_radius_, agent.radius);
 }

@@ -33,7 +33,6 @@ struct Claimant {
   double length = 0.0;                 ///< of the first narrow part of its way [m]
   Vector2 position = Vector2::Zero();  ///< of the agent [m]
   double radius = 0.0;                 ///< of the agent [m]
-  bool gets_on = false;                ///< it walks in the direction of `heading`
   bool isInside() const { return distance <= 0.0; }
 };
 

@@ -111,7 +111,7 @@ void WayFinder::lead(Agent& agent, Way& way, SizedFloor& floor, const World& wor
     way.search_time = world.time() + WAY_TIME * (agent.id % WAY_GROUPS) / double{WAY_GROUPS};
   }
   Vector2 next = nextPoint(agent, way, floor, world.stopRequest());
-  const bool is_led = way.follower->state() == PathFollower::State::ON_THE_WAY;
+  const bool is_led = way.follower->state() != PathFollower::State::UNREACHABLE;
   const bool has_mates = is_led && agent.group != NO_GROUP;
   const std::optional<Vector2> aim = has_mates ? groups_.aimOf(agent, next) : std::nullopt;
   if (aim && floor.tight().isStraight(agent.pose.position, *aim)) next = *aim;
@@ -200,7 +200,7 @@ Vector2 WayFinder::nextPoint(const Agent& agent, Way& way, SizedFloor& floor, co
       return keepRight(agent, next, way, floor.comfortable());
     }
     way.floor = Floor::TIGHT;
-    way.follower->replan();
+    way.follower->recheck();
   }
   if (way.floor == Floor::TIGHT) {
     Vector2 next = way.follower->next(position, floor.tight());

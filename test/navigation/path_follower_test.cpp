@@ -99,6 +99,21 @@ TEST_F(PathFollowerTest, APersonThatWasPushedThroughAGapTakesTheShorterWay) {
   EXPECT_NEAR(remainingLength(follower, pushed), query.findPath(pushed, GOAL)->length, 1e-9);
 }
 
+/// Between two walls 0.5 m apart there is no mesh, and the door is out of sight.
+TEST_F(PathFollowerTest, InAPocketTheWayIsKept) {
+  FloorPlan floor = floor_;
+  for (const double x : {-3.25, -2.75}) floor.walls.push_back({{x, -3.9}, {x, -1.5}});
+  const NavigationMesh mesh(floor, CLEARANCE);
+  NavigationMesh::Query query(mesh);
+  PathFollower follower(GOAL);
+  const Vector2 door = follower.next(START, query);
+  EXPECT_EQ(follower.state(), State::ON_THE_WAY);
+  EXPECT_EQ(follower.next({-3.0, -3.0}, query), door);
+  EXPECT_EQ(follower.state(), State::IN_POCKET);
+  follower.next({-3.0, -1.0}, query);
+  EXPECT_EQ(follower.state(), State::ON_THE_WAY);
+}
+
 TEST_F(PathFollowerTest, OnTheStraightLineToACornerTheWayIsKept) {
   PathFollower follower(GOAL);
   const Vector2 corner = follower.next(START, query_);

@@ -151,6 +151,19 @@ TEST(WayFinder, ANewGoalHasANewWay) {
   EXPECT_LT(led.agent().pose.position.x(), -8.7);
 }
 
+/// Its way keeps 0.1 m from walls. The room beside its way has a door of 0.58 m, which is too narrow for that.
+TEST(WayFinder, AnAgentFindsOutOfARoomWithANarrowerDoorThanItsWay) {
+  std::vector<Segment> walls = floors::room({-1.0, -3.0}, {1.0, 0.0}).walls;
+  walls.erase(walls.begin() + 2);  // the upper one
+  walls.push_back({{-6.0, 0.0}, {-0.29, 0.0}});
+  walls.push_back({{0.29, 0.0}, {6.0, 0.0}});
+  Led led({walker({-5.0, 2.0}, {5.0, 2.0})}, walls);
+  led.walk(1.0);
+  WorldEditor(led.world).teleport(0, {{0.7, -2.6}, 0.0});
+  led.walk(30.0);
+  EXPECT_TRUE(led.agent().hasArrived());
+}
+
 TEST(WayFinder, KnowsWhichGoalsAreOutOfReach) {
   std::vector<Segment> walls = floors::room({0.0, 0.0}, {3.0, 3.0}).walls;
   walls.push_back({{5.0, 0.0}, {5.0, 3.0}});

@@ -16,13 +16,13 @@ Vector2 RobotWay::next(const World& world, const Robot& robot, const Vector2& go
     is_tight_ = false;
   }
   Vector2 point = follower_->next(position, *query_);
-  if (follower_->state() == PathFollower::State::UNREACHABLE && !is_tight_) {
+  if (follower_->state() != PathFollower::State::ON_THE_WAY && !is_tight_) {
     query_.emplace(data_->tight);
     is_tight_ = true;
-    follower_->replan();
+    follower_->recheck();
     point = follower_->next(position, *query_);
   }
-  return follower_->state() == PathFollower::State::ON_THE_WAY ? point : goal;
+  return follower_->state() == PathFollower::State::UNREACHABLE ? goal : point;
 }
 
 void RobotWay::adoptLayout(const World& world, const Robot& robot, const Vector2& goal) {
