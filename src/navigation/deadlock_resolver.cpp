@@ -12,15 +12,15 @@
 namespace crowd {
 namespace {
 
-constexpr double REACH = 0.6;             // between bodies that block each other [m]
-constexpr double WAITER_REACH = 0.2;      // between an agent that waits and one that it blocks [m]
-constexpr double TOUCH = 0.1;             // bodies nearer to each other than this may wedge [m]
-constexpr double BESIDE = 0.2;            // behind the line beside an agent [m]
-constexpr double BACK = 1.0;              // distance of the goal that an agent perceives while it walks back [m]
-constexpr double CONTACT = 0.02;          // an agent slides along what is nearer than this [m]
-constexpr double AHEAD = 3.0;             // distance on its path of the point that gives an agent's direction [m]
-constexpr double WALKED_BACK = 0.1;       // an agent that moved less could not walk back [m]
-constexpr double AXIS_TURN = 2.399963;    // golden angle: the axis takes all directions [rad]
+constexpr double REACH = 0.6;           // between bodies that block each other [m]
+constexpr double WAITER_REACH = 0.2;    // between an agent that waits and one that it blocks [m]
+constexpr double TOUCH = 0.1;           // bodies nearer to each other than this may wedge [m]
+constexpr double BESIDE = 0.2;          // behind the line beside an agent [m]
+constexpr double BACK = 1.0;            // distance of the goal that an agent perceives while it walks back [m]
+constexpr double CONTACT = 0.02;        // an agent slides along what is nearer than this [m]
+constexpr double AHEAD = 3.0;           // distance on its path of the point that gives an agent's direction [m]
+constexpr double WALKED_BACK = 0.1;     // an agent that moved less could not walk back [m]
+constexpr double AXIS_TURN = 2.399963;  // golden angle: the axis takes all directions [rad]
 
 Vector2 priorityDirection(double time) {
   const double angle = AXIS_TURN * std::floor(time / DeadlockResolver::TURN_TIME);

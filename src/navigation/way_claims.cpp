@@ -5,8 +5,8 @@
 namespace crowd {
 namespace {
 
-constexpr double CELL = 1.0;           // of the grid [m]
-constexpr double GAP = 1.2;            // between narrow places that belong together, as at the doors of a corridor [m]
+constexpr double CELL = 1.0;  // of the grid [m]
+constexpr double GAP = 1.2;   // between narrow places that belong together, as at the doors of a corridor [m]
 
 }  // namespace
 

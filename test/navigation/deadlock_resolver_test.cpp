@@ -126,6 +126,17 @@ TEST(DeadlockResolver, NobodyGivesWayToAnAgentBehindAWall) {
   EXPECT_TRUE(did_any_walk_back);
 }
 
+/// Agent 1 waits right in front of agent 0, which has the same direction, and walks back towards it.
+TEST(DeadlockResolver, WhoBlocksAnAgentBehindItWalksBackTowardsIt) {
+  Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({0.45, 0.0}, {9.0, 0.0})});
+  do {
+    crowd.world.walkingAgent(1).yielding = true;
+    crowd.stand();
+  } while (!crowd.deadlocks.walksBack(1) && crowd.world.time() < 60.0);
+  ASSERT_TRUE(crowd.deadlocks.walksBack(1));
+  EXPECT_LT(crowd.world.agents()[1].perceivedGoal().x(), 0.45 - 0.9);
+}
+
 /// Agent 0 waits in the way of agent 1, and walks back farther each time.
 TEST(DeadlockResolver, AnAgentWalksBackAgainstTheDirectionOfItsPath) {
   Crowd crowd({walker({0.0, 0.0}, {9.0, 0.0}), walker({0.45, 0.0}, {-9.0, 0.0})});
@@ -260,6 +271,29 @@ TEST(DeadlockResolver, AnAgentThatIsWedgedSlidesAlongWallAndAgent) {
   while (!agent.has_waypoint && crowd.world.time() < 60.0) crowd.stand();
   ASSERT_TRUE(agent.has_waypoint);
   EXPECT_NEAR(((agent.waypoint - agent.pose.position).normalized() - Vector2::UnitX()).norm(), 0.0, 1e-9);
+}
+
+/// Agent 0 came from the south and is on its way to the east. Nobody can move.
+TEST(DeadlockResolver, AnAgentThatWalkedRoundACornerWalksBackAgainstItsPath) {
+  std::vector<AgentStart> agents = {walker({-0.25, -2.5}, {-0.25, 0.0}), walker({0.25, 0.0}, {-9.0, 0.0})};
+  agents[0].goals.emplace_back(9.0, 0.0);
+  Crowd crowd(agents);
+  const auto& walked = crowd.world.agents();
+  while (walked[0].goal().x() < 9.0 && crowd.world.time() < 60.0) {
+    std::vector<AgentAction> actions = straight_walk::actions(crowd.world);
+    actions.erase(std::remove_if(actions.begin(), actions.end(), [](const auto& action) { return action.agent != 0; }),
+                  actions.end());
+    crowd.world.step(actions);
+    crowd.update();
+  }
+  std::vector<Vector2> attempts;  // directions
+  for (bool before = false; attempts.size() < 3 && crowd.world.time() < 300.0; before = crowd.givesWay(0)) {
+    crowd.stand();
+    if (!crowd.givesWay(0) || before) continue;
+    attempts.push_back((walked[0].waypoint - walked[0].pose.position).normalized());
+  }
+  ASSERT_EQ(attempts.size(), 3U);
+  for (const Vector2& attempt : attempts) EXPECT_GT(attempt.dot(Vector2(-1.0, 0.0)), 0.99);
 }
 
 /// A wall behind agent 0 runs from its upper left to its lower right and touches it. Its way back is (-1, 0); without
