@@ -16,7 +16,7 @@ namespace crowd {
 class CongestionMap {
  public:
   static constexpr double CELL = 1.5;        ///< side of the squares [m]
-  static constexpr double RISE_TIME = 5.0;   ///< of the moving average where agents are [s]
+  static constexpr double RISE_TIME = 2.5;   ///< of the moving average where agents are [s]
   static constexpr double FALL_TIME = 10.0;  ///< of its return to free floor where none are [s]
 
   /// @brief What a way costs in addition to its length.

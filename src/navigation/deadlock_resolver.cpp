@@ -75,19 +75,23 @@ void DeadlockResolver::follow(const Agent& agent, const RemainingPath& path, dou
 
 void DeadlockResolver::noteProgress(const Agent& agent, double time, Walk& walk) {
   const Vector2& place = agent.pose.position;
-  if (agent.yielding || agent.isHeld() || agent.at_goal || !walk.reference ||
-      (place - *walk.reference).norm() > PROGRESS) {
-    walk.reference = place;
-    walk.progress_time = time;
+  const bool waits = agent.yielding || agent.isHeld() || agent.at_goal;
+  const auto has_left = [&](const Stay& stay, double distance) {
+    return waits || !stay.place || (place - *stay.place).norm() > distance;
+  };
+  if (has_left(walk.stay, PROGRESS)) {
+    walk.stay = {place, time};
     walk.cannot_walk_back = false;
   }
+  if (has_left(walk.pacing, PACING)) walk.pacing = {place, time};
 }
 
 void DeadlockResolver::startRetreat(const Agent& agent, double time) {
   Walk& walk = walks_[agent.id];
   walk.retreat_from = agent.pose.position;
   walk.retreat_until = time + RETREAT_TIME;
-  walk.progress_time = walk.retreat_until + WALK_TIME - STUCK_TIME;
+  walk.stay.begin = walk.retreat_until + WALK_TIME - STUCK_TIME;
+  walk.pacing.begin = walk.retreat_until;
   walk.course = -walk.course;  // the agents that it meets head-on do not give way, too
   retreating_.push_back(agent.id);
 }
@@ -115,16 +119,18 @@ Span<DeadlockResolver::Walker> DeadlockResolver::walkersNear(const World& world,
 }
 
 bool DeadlockResolver::mustGiveWay(const World& world, const Agent& agent, const CongestionMap& congestion) {
-  const double time = world.time();
+  const Walk& walk = walks_[agent.id];
+  const auto share = [&] { return congestion.shareAt(agent.pose.position, walk.course); };
   const auto has_priority = [&](AgentId other) { return givesWayTo(world, agent, world.agents()[other]); };
-  if (isStuck(walks_[agent.id], time)) {
+  if (isStuck(walk, world.time())) {
     if (isBlockedByRobot(world, agent)) return true;
-    const Span<Walker> near = walkersNear(world, agent, REACH);
-    return std::any_of(near.begin(), near.end(), [&](const Walker& other) { return has_priority(other.agent); });
+    if (share() < STANDS) {
+      const Span<Walker> near = walkersNear(world, agent, REACH);
+      return std::any_of(near.begin(), near.end(), [&](const Walker& other) { return has_priority(other.agent); });
+    }
   }
   if (agent.yielding && blocksOthers(world, agent)) return true;
-  if (retreating_.empty()) return false;
-  if (congestion.shareAt(agent.pose.position, walks_[agent.id].course) > GETS_ON) return false;
+  if (retreating_.empty() || share() > GETS_ON) return false;
   return std::any_of(retreating_.begin(), retreating_.end(), has_priority);
 }
 

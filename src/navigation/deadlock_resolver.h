@@ -14,9 +14,10 @@ namespace crowd {
 /// @brief Resolves deadlocks of agents that block each other: some of them walk back for a while. Deterministic;
 /// depends only on the world and the earlier calls.
 ///
-/// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME. It gives way to an agent ahead, or one that
-/// touches it, if that has priority:
-/// - A robot that the crowd gives way to has priority over all agents.
+/// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME, or if it has moved to and fro within PACING for
+/// PACING_TIME. Where agents in its direction stand (CongestionMap, STANDS), not in a dense crowd that goes on slowly,
+/// it gives way to an agent ahead, or one that touches it, if that has priority:
+/// - A robot that the crowd gives way to has priority over all agents, wherever they are.
 /// - An agent that could not walk back at its last attempt has priority over one that could.
 /// - Of agents that walk in opposite directions, the one with fewer people where its path leads to has priority, and
 ///   with as many, or up to two more, the one whose direction is nearer to an axis; the axis is the same for all agents
@@ -39,9 +40,13 @@ class DeadlockResolver {
  public:
   static constexpr double PROGRESS = 0.5;      ///< [m]
   static constexpr double STUCK_TIME = 3.0;    ///< [s]
+  static constexpr double PACING = 1.0;        ///< [m]
+  static constexpr double PACING_TIME = 10.0;  ///< [s]
   static constexpr double TURN_TIME = 6.0;     ///< [s]
   static constexpr double RETREAT_TIME = 1.5;  ///< an agent walks back for this time [s]
   static constexpr double WALK_TIME = 1.5;     ///< [s]
+  /// Share of the maximum speed below which agents stand: those that are stuck give way only there.
+  static constexpr double STANDS = 0.1;
   /// Share of the maximum speed at which agents get on: above it, they do not give way to those who walk back.
   static constexpr double GETS_ON = 0.4;
   static constexpr double CROWD_RADIUS = 1.5;  ///< around the point ahead, in which people are counted [m]
@@ -56,9 +61,14 @@ class DeadlockResolver {
   const Vector2& course(AgentId agent) const { return walks_[agent].course; }
 
  private:
+  /// Near which place an agent has been since when.
+  struct Stay {
+    std::optional<Vector2> place;  // [m]
+    double begin = 0.0;            // [s]
+  };
   struct Walk {
-    std::optional<Vector2> reference;        // where it last made progress [m]
-    double progress_time = 0.0;              // when [s]
+    Stay stay;                               // within PROGRESS
+    Stay pacing;                             // within PACING
     double remaining = 0.0;                  // length of its path, while it is stuck [m]
     double retreat_until = 0.0;              // [s]; 0 unless it walks back
     Vector2 retreat_from = Vector2::Zero();  // where its last retreat began [m]
@@ -74,7 +84,9 @@ class DeadlockResolver {
   };
 
   static bool walksBack(const Walk& walk) { return walk.retreat_until > 0.0; }
-  static bool isStuck(const Walk& walk, double time) { return time - walk.progress_time >= STUCK_TIME; }
+  static bool isStuck(const Walk& walk, double time) {
+    return time - walk.stay.begin >= STUCK_TIME || time - walk.pacing.begin >= PACING_TIME;
+  }
   void follow(const Agent& agent, const RemainingPath& path, double time, Walk& walk);
   static void noteProgress(const Agent& agent, double time, Walk& walk);
   void startRetreat(const Agent& agent, double time);

@@ -60,19 +60,19 @@ TEST(CongestionMap, ACrowdThatStandsCostsTime) {
   EXPECT_LT((delay.place - Vector2(0.75, 0.5)).norm(), 0.75);
 }
 
-/// After 5 s, ten ticks of 0.5 s that each take a tenth of the difference, the share of the speed is 0.9^10.
+/// After 5 s, ten ticks of 0.5 s that each take a fifth of the difference, the share of the speed is 0.8^10.
 TEST(CongestionMap, IsAMovingAverage) {
   Street street({walker({0.5, 0.5}, {40.0, 0.5})});
   street.stand(5.0);
-  EXPECT_NEAR(street.delay({-3.0, 0.5}, {6.0, 0.5}), 1.5 * (std::pow(0.9, -10.0) - 1.0), 1e-6);
+  EXPECT_NEAR(street.delay({-3.0, 0.5}, {6.0, 0.5}), 1.5 * (std::pow(0.8, -10.0) - 1.0), 1e-6);
 }
 
-/// Two ticks of 0.5 s at the maximum speed against the way, in one square: 1 - 0.1 * 2 = 0.8, then 0.8 - 0.1 * 1.8.
+/// Two ticks of 0.5 s at the maximum speed against the way, in one square: 1 - 0.2 * 2 = 0.6, then 0.6 - 0.2 * 1.6.
 TEST(CongestionMap, WhoWalksBackCounts) {
   Street street({walker({2.9, 0.5}, {40.0, 0.5})});
   street.world.walkingAgent(0).setWaypoint({-40.0, 0.5});
   street.walk(1.0);
-  EXPECT_NEAR(street.map.shareAt({2.0, 0.5}, Vector2::UnitX()), 0.62, 1e-9);
+  EXPECT_NEAR(street.map.shareAt({2.0, 0.5}, Vector2::UnitX()), 0.28, 1e-9);
   EXPECT_EQ(street.map.shareAt({2.0, 0.5}, -Vector2::UnitX()), 1.0);
   EXPECT_EQ(street.map.shareAt({4.0, 0.5}, Vector2::UnitX()), 1.0);
 }

@@ -196,6 +196,20 @@ TEST(DeadlockResolver, GivesWayToARobotIfTheCrowdYields) {
   EXPECT_FALSE(givesWayToRobot(Yields::NOBODY));
 }
 
+/// Agent 0 moves to and fro by 0.6 m in front of one that is held, and thus makes progress again and again.
+TEST(DeadlockResolver, WhoPacesForLongGivesWay) {
+  Crowd crowd({walker({0.5, 0.5}, {9.0, 0.5}), walker({1.5, 0.5}, {-9.0, 0.5})});
+  crowd.world.walkingAgent(1).setHeld(Hold::ROUTE, true);
+  bool is_near = false;
+  while (!crowd.givesWay(0) && crowd.world.time() < 60.0) {
+    is_near = !is_near;
+    WorldEditor(crowd.world).teleport(0, {{is_near ? 1.0 : 0.4, 0.5}, 0.0});
+    crowd.stand();
+  }
+  EXPECT_GE(crowd.world.time(), DeadlockResolver::PACING_TIME);
+  EXPECT_LE(crowd.world.time(), DeadlockResolver::PACING_TIME + DeadlockResolver::TURN_TIME + 1.0);
+}
+
 /// It is behind the place of the meeting then.
 TEST(DeadlockResolver, AnAgentWalksBackForAWhile) {
   Crowd crowd(headOn());
@@ -207,22 +221,37 @@ TEST(DeadlockResolver, AnAgentWalksBackForAWhile) {
   EXPECT_GT(std::abs(crowd.world.agents()[back].pose.position.x()), 1.0);
 }
 
-/// Two agents face each other, and stand for `jam_time` [s] as the two behind them do. Then those behind walk up to
-/// them, while they are stuck. In n ticks of 0.5 s in which agents stand, their share of the maximum speed falls to
-/// 0.9^n: to 0.12 in 10 s, but only to 0.53 in the 3 s after which the front ones are stuck.
-void expectThatThoseBehindGiveWay(double jam_time, bool give_way) {
-  Crowd crowd({walker({-0.25, 0.5}, {9.0, 0.5}), walker({0.25, 0.5}, {-9.0, 0.5}), walker({-2.2, 0.5}, {9.0, 0.5}),
-               walker({2.2, 0.5}, {-9.0, 0.5})});
+/// Two agents face each other in one square of the congestion map, and the one that walks west has another one behind
+/// it in the next square, at x [m]. They stand for `jam_time` [s] before those that can walk do. In n ticks of 0.5 s in
+/// which agents stand, their share of the maximum speed falls to 0.8^n: below 0.1 in 5.5 s, when the front one gives
+/// way; 1 s after the one behind has reached it, its share is 0.64.
+void expectThatTheOneBehindGivesWay(double x, double jam_time, bool gives_way) {
+  Crowd crowd({walker({1.04, 0.5}, {9.0, 0.5}), walker({1.45, 0.5}, {-9.0, 0.5}), walker({x, 0.5}, {-9.0, 0.5})});
   crowd.jam(jam_time);
-  while (!crowd.givesWay(0) && !crowd.givesWay(1) && crowd.world.time() < 60.0) crowd.step();
-  const AgentId front = crowd.givesWay(0) ? 0 : 1;
-  ASSERT_TRUE(crowd.givesWay(front));
+  while (!crowd.givesWay(1) && crowd.world.time() < 60.0) crowd.step();
+  ASSERT_TRUE(crowd.givesWay(1));
   crowd.step();
-  EXPECT_EQ(crowd.givesWay(front + 2), give_way);
-  EXPECT_FALSE(crowd.givesWay(1 - front));
+  EXPECT_EQ(crowd.givesWay(2), gives_way);
 }
-TEST(DeadlockResolver, InAJamAgentsBehindGiveWayToo) { expectThatThoseBehindGiveWay(10.0, true); }
-TEST(DeadlockResolver, AgentsBehindThatGotOnUntilNowStay) { expectThatThoseBehindGiveWay(0.0, false); }
+TEST(DeadlockResolver, InAJamAgentsBehindGiveWayToo) { expectThatTheOneBehindGivesWay(2.2, 12.0, true); }
+TEST(DeadlockResolver, AgentsBehindThatGotOnUntilNowStay) { expectThatTheOneBehindGivesWay(6.35, 0.0, false); }
+
+/// Two agents face each other between two rows of twelve people who pass them, 1 m apart, within 12 s. Together with
+/// them agents in either direction get on.
+TEST(DeadlockResolver, WhoIsStuckInACrowdThatGoesOnStays) {
+  std::vector<AgentStart> agents = {walker({0.5, 0.75}, {9.0, 0.75}), walker({1.0, 0.75}, {-9.0, 0.75})};
+  for (int i = 0; i < 12; ++i) {
+    agents.push_back(walker({1.0 - i, 1.35}, {30.0, 1.35}));
+    agents.push_back(walker({0.5 + i, 0.15}, {-30.0, 0.15}));
+  }
+  Crowd crowd(agents);
+  while (crowd.world.time() < 9.0) {
+    crowd.step();
+    EXPECT_FALSE(crowd.doesAnyGiveWay()) << crowd.world.time();
+  }
+  crowd.walkUntilAnyGivesWay(20.0);
+  EXPECT_NE(crowd.givesWay(0), crowd.givesWay(1));
+}
 
 /// Agents of the same direction that touch each other, as in front of a door: the one nearer to its goal goes first.
 TEST(DeadlockResolver, InAnArchTheAgentFartherFromItsGoalGivesWay) {
