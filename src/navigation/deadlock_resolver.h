@@ -17,7 +17,7 @@ namespace crowd {
 /// An agent is stuck if it has not moved by PROGRESS for STUCK_TIME, or if it has moved to and fro within PACING for
 /// PACING_TIME. Where agents in its direction stand (CongestionMap, STANDS), not in a dense crowd that goes on slowly,
 /// it gives way to an agent ahead, or one that touches it, if that has priority:
-/// - A robot that the crowd gives way to has priority over all agents, wherever they are.
+/// - A robot that the crowd gives way to has priority over all agents, also where these get on.
 /// - An agent that could not walk back at its last attempt has priority over one that could.
 /// - Of agents that walk in opposite directions, the one with fewer people where its path leads to has priority, and
 ///   with as many, or up to two more, the one whose direction is nearer to an axis; the axis is the same for all agents
